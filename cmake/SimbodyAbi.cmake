@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
+# Before Simbody 3.8 the size of SimTK::StateImpl depends on NDEBUG, so a program compiled with NDEBUG
+# crashes on a Simbody library that was compiled without it (Debian's is). CMake's Release and
+# RelWithDebInfo add -DNDEBUG; this asks jprim and its users to take it back, for those libraries only.
+set(JPRIM_SIMBODY_ABI_OPTIONS "")
+if(Simbody_VERSION VERSION_LESS 3.8)
+  get_target_property(simbody_configurations SimTKsimbody IMPORTED_CONFIGURATIONS)
+  if(NOT "${simbody_configurations}" MATCHES "RELEASE|RELWITHDEBINFO|MINSIZEREL")
+    set(JPRIM_SIMBODY_ABI_OPTIONS -UNDEBUG)
+  endif()
+endif()

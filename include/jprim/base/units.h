@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_BASE_UNITS_H_
+#define JPRIM_BASE_UNITS_H_
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jprim {
+
+/// The four base quantities that an Adams dataset chooses units for. Angles are always radians.
+enum class Quantity { Force, Mass, Length, Time };
+
+/// A unit's Adams name and its size in SI: newton, kilogram, metre or second.
+struct Unit {
+    std::string_view name;
+    double inSI = 1;
+};
+
+/// All units Adams knows for a quantity, by their full Adams names.
+const std::vector<Unit>& getUnits(Quantity quantity);
+
+/// Factors from a dataset's units to SI (m, kg, s, N): `value_SI = factor * value`.
+struct UnitSystem {
+    double force = 1;
+    double mass = 1;
+    double length = 1;
+    double time = 1;
+
+    double getVelocity() const { return length / time; }
+    double getAcceleration() const { return length / (time * time); }
+    double getAngularVelocity() const { return 1 / time; }
+    double getAngularAcceleration() const { return 1 / (time * time); }
+    double getMoment() const { return force * length; }
+    double getEnergy() const { return force * length; }
+    double getInertia() const { return mass * length * length; }
+};
+
+/// The unit with this name or an unambiguous abbreviation of it (case does not matter).
+/// Empty if there is none or if more than one begins so.
+std::optional<Unit> findUnit(Quantity quantity, std::string_view name);
+
+/// The named system of UNITS/SYSTEM: MKS, CGS, FPS, IPS or NONE (all factors 1). Empty if unknown.
+std::optional<UnitSystem> findUnitSystem(std::string_view name);
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_BUILD_MECHANISM_H_
+#define JPRIM_BUILD_MECHANISM_H_
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "jprim/base/units.h"
+#include "jprim/dataset/dataset.h"
+#include "jprim/joint/joint.h"
+#include "jprim/marker/marker.h"
+
+/// @file
+/// A dataset as a Simbody system, in SI, with the dataset's names for its pieces.
+namespace jprim {
+
+/// A PART. Its body frame is the part's body coordinate system (BCS).
+struct MechanismPart {
+    int id = 0;
+    SimTK::MobilizedBody body;
+    bool ground = false;
+    /// At the mass centre; on ground or where no CM is given, the BCS.
+    Marker cm;
+    /// The given pose of the BCS in ground, and which of its coordinates assembly must not move.
+    SimTK::Transform givenPose;
+    std::array<bool, 6> exact{};
+    /// The given velocity of the mass centre along the axes of vm [m/s], and the given angular velocity about
+    /// the axes of wm [rad/s]; empty components are free.
+    std::array<std::optional<SimTK::Real>, 3> v, w;
+    Marker vm, wm;
+    /// Largest distance of a marker from the mass centre [m]: what turns an angle into a displacement.
+    SimTK::Real size = 1;
+};
+
+/// A JPRIM or JOINT.
+struct Connection {
+    std::string name;  ///< "JPRIM/12"
+    int i = 0;         ///< marker ids
+    int j = 0;
+    Joint joint;  ///< for a JPRIM, a bundle of one
+};
+
+/// A REQUEST that can be evaluated.
+struct MechanismRequest {
+    int id = 0;
+    RequestType type = RequestType::Displacement;
+    Marker I;
+    Marker J;   ///< on ground if the dataset names none
+    Marker rm;  ///< ground's frame if the dataset names none
+    /// FORCE: the connections between I and J, each with true if its I marker is the request's I.
+    std::vector<std::pair<int, bool>> connections;
+};
+
+/// A mechanism owns its MultibodySystem. Movable, not copyable.
+class Mechanism {
+public:
+    /// Conversion factors of the dataset: value_SI = factor * value_dataset.
+    const UnitSystem& getUnits() const { return m_units; }
+    const std::string& getTitle() const { return m_title; }
+    /// Acceleration of gravity in Ground [m/s^2].
+    const SimTK::Vec3& getGravity() const { return m_gravity; }
+
+    const SimTK::MultibodySystem& getSystem() const { return m_bodies->system; }
+    const SimTK::SimbodyMatterSubsystem& getMatter() const { return m_bodies->matter; }
+
+    /// In the order of the dataset, ground included.
+    const std::vector<MechanismPart>& getParts() const { return m_parts; }
+    const std::vector<Connection>& getConnections() const { return m_connections; }
+    const std::vector<MechanismRequest>& getRequests() const { return m_requests; }
+
+    /// The marker with this id; 0 is ground's own frame. @throws Error if there is none
+    const Marker& getMarker(int id) const;
+
+    /// Adams' functions JPRIM(id, jflag, comp, rm) and JOINT(…) [N, N m]; rm = 0 means ground's axes.
+    /// Requires Stage::Acceleration. @throws Error if id or rm does not exist
+    SimTK::Real calcJPRIM(const SimTK::State& state, int id, int jflag, int comp, int rm = 0) const;
+    SimTK::Real calcJOINT(const SimTK::State& state, int id, int jflag, int comp, int rm = 0) const;
+
+    /// The element that the i-th position constraint equation (getQErr()) belongs to, and whether the
+    /// equation is a length; empty for Simbody's own equations on quaternions. Requires Stage::Model.
+    struct Equation {
+        std::string element;
+        bool isLength = false;
+    };
+    std::vector<Equation> findEquations(const SimTK::State& state) const;
+
+private:
+    friend class MechanismBuilder;
+
+    struct Bodies {
+        SimTK::MultibodySystem system;
+        SimTK::SimbodyMatterSubsystem matter{system};
+        SimTK::GeneralForceSubsystem forces{system};
+    };
+
+    Mechanism();
+    SimTK::Real calcReaction(const SimTK::State& state, const std::string& name, int jflag, int comp,
+                             int rm) const;
+
+    std::string m_title;
+    UnitSystem m_units;
+    SimTK::Vec3 m_gravity{0};
+    std::unique_ptr<Bodies> m_bodies;
+    std::vector<MechanismPart> m_parts;
+    std::unordered_map<int, Marker> m_markers;
+    std::vector<Connection> m_connections;
+    std::unordered_map<std::string, int> m_connectionIndex;
+    std::vector<MechanismRequest> m_requests;
+};
+
+}  // namespace jprim
+
+#endif

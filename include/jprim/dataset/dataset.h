@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_DATASET_DATASET_H_
+#define JPRIM_DATASET_DATASET_H_
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jprim/base/diagnostic.h"
+#include "jprim/base/units.h"
+
+/// @file
+/// An Adams/Solver dataset (.adm) as plain values: what the file says, in the file's own units, nothing
+/// interpreted. Ids are Adams' integers; 0 means "not given" (or ground, where a statement allows that).
+/// Angles are radians, whether written with the D suffix or not. Every statement knows where it began.
+/// Two statements compare equal when they say the same; `where` is not compared.
+namespace jprim {
+
+using Triple = std::array<double, 3>;
+
+/// UNITS: the names as understood, in full, and their factors to SI. Without a UNITS statement every
+/// factor is 1, which reads the numbers as SI.
+struct UnitsStatement {
+    SourcePosition where;
+    /// Full Adams names in the order force, mass, length, time; empty where SYSTEM was given.
+    std::array<std::string, 4> names;
+    /// MKS, CGS, FPS, IPS or NONE; empty where the four names were given.
+    std::string system;
+    UnitSystem toSI;
+    /// The given unit consistency factor, if any; forces are then FORCE * UCF = MASS * acceleration.
+    std::optional<double> ucf;
+};
+
+/// ACCGRAV: acceleration of gravity in ground axes, length/time^2.
+struct AccgravStatement {
+    SourcePosition where;
+    Triple acceleration{};
+};
+
+/// The coordinates that PART/EXACT can name, in the order of PartStatement::exact.
+enum class PartCoordinate { X, Y, Z, Psi, Theta, Phi };
+
+/// PART: a rigid body, or ground.
+struct PartStatement {
+    SourcePosition where;
+    int id = 0;
+    bool ground = false;
+    std::optional<Triple> qg;      ///< origin of the body coordinate system (BCS) in ground axes; 0,0,0
+    std::optional<Triple> reuler;  ///< BCS orientation: body-fixed 3-1-3 angles; excludes zg and xg
+    std::optional<Triple> zg;      ///< a point on the BCS' +z axis, in ground axes
+    std::optional<Triple> xg;      ///< a point in the +x half of the BCS' xz plane, in ground axes
+    std::optional<double> mass;
+    int cm = 0;                               ///< marker at the mass centre
+    int im = 0;                               ///< inertia marker; cm if 0
+    std::optional<std::array<double, 6>> ip;  ///< xx, yy, zz, xy, xz, yz about im; products as +Int(xy dm)
+    std::array<std::optional<double>, 3> v;   ///< VX VY VZ of the mass centre; empty means free
+    std::array<std::optional<double>, 3> w;   ///< WX WY WZ; empty means free
+    int vm = 0;                               ///< marker whose axes v is along; ground axes if 0
+    int wm = 0;                               ///< marker whose axes w is about; cm's if 0
+    std::array<bool, 6> exact{};              ///< EXACT, indexed by PartCoordinate
+};
+
+/// MARKER: a frame fixed to a part. Pose in the part's BCS.
+struct MarkerStatement {
+    SourcePosition where;
+    int id = 0;
+    int part = 0;  ///< the owner; never 0 after reading (the nearest preceding PART is the default)
+    std::optional<Triple> qp;
+    std::optional<Triple> reuler;
+    std::optional<Triple> zp;
+    std::optional<Triple> xp;
+    bool usexp = false;  ///< XP lies on the x axis and ZP in the xz plane, instead of the reverse
+};
+
+enum class JprimType { AtPoint, InLine, InPlane, Orientation, ParallelAxes, Perpendicular };
+
+/// JPRIM: a joint primitive between markers I and J of different parts.
+struct JprimStatement {
+    SourcePosition where;
+    int id = 0;
+    JprimType type = JprimType::AtPoint;
+    int i = 0;
+    int j = 0;
+};
+
+enum class JointType { Spherical, Revolute, Cylindrical, Translational, Planar, Fixed, Universal, Hooke };
+
+/// JOINT: a joint of the catalogue between markers I and J of different parts.
+struct JointStatement {
+    SourcePosition where;
+    int id = 0;
+    JointType type = JointType::Spherical;
+    int i = 0;
+    int j = 0;
+};
+
+enum class RequestType { Displacement, Velocity, Acceleration, Force, Expressions };
+
+/// REQUEST: what to write out. For Expressions the texts are kept as they stand, F2 … F8.
+struct RequestStatement {
+    SourcePosition where;
+    int id = 0;
+    RequestType type = RequestType::Displacement;
+    int i = 0;
+    int j = 0;   ///< ground if 0
+    int rm = 0;  ///< ground axes if 0
+    std::string comment;
+    std::string title;
+    std::vector<std::pair<int, std::string>> expressions;  ///< (2, "JOINT(1,0,2,0)") for F2=JOINT(1,0,2,0)
+};
+
+/// GRAPHICS, OUTPUT and RESULTS change no motion: read, kept as text, otherwise ignored.
+struct IgnoredStatement {
+    SourcePosition where;
+    std::string keyword;    ///< in full and upper case
+    int id = 0;             ///< 0 for OUTPUT and RESULTS
+    std::string arguments;  ///< as they stand, comments and line breaks taken out
+};
+
+/// What became of the statements of a file; the three add up to the statements in it.
+struct StatementCounts {
+    int built = 0;    ///< became a member of the Dataset that has meaning for the mechanism
+    int ignored = 0;  ///< by a declared rule: GRAPHICS, OUTPUT, RESULTS
+    int errors = 0;   ///< reported with their position
+};
+
+/// A whole dataset. Within a kind, statements stand in the order of the file.
+struct Dataset {
+    std::string title;
+    std::optional<UnitsStatement> units;
+    std::optional<AccgravStatement> gravity;
+    std::vector<PartStatement> parts;
+    std::vector<MarkerStatement> markers;
+    std::vector<JprimStatement> jprims;
+    std::vector<JointStatement> joints;
+    std::vector<RequestStatement> requests;
+    std::vector<IgnoredStatement> ignored;
+    StatementCounts counts;
+};
+
+/// True if both say the same. Neither `where` nor the counts are part of what a dataset says.
+bool operator==(const Dataset& a, const Dataset& b);
+bool operator!=(const Dataset& a, const Dataset& b);
+
+/// Adams' spelling of a type, in full and upper case: "PARALLEL_AXES", "REVOLUTE", "DISPLACEMENT".
+const char* getAdamsName(JprimType type);
+const char* getAdamsName(JointType type);
+const char* getAdamsName(RequestType type);
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_JPRIM_H_
+#define JPRIM_JPRIM_H_
+
+/// @file
+/// All of jprim.
+
+#include "jprim/analysis/constraint_report.h"
+#include "jprim/base/diagnostic.h"
+#include "jprim/base/error.h"
+#include "jprim/base/units.h"
+#include "jprim/build/build_mechanism.h"
+#include "jprim/build/mechanism.h"
+#include "jprim/dataset/dataset.h"
+#include "jprim/dataset/read_dataset.h"
+#include "jprim/dataset/write_dataset.h"
+#include "jprim/joint/joint.h"
+#include "jprim/marker/angles.h"
+#include "jprim/marker/load.h"
+#include "jprim/marker/marker.h"
+#include "jprim/marker/marker_pair.h"
+#include "jprim/primitive/primitive.h"
+#include "jprim/primitive/primitives.h"
+#include "jprim/simulation/assemble.h"
+#include "jprim/simulation/results.h"
+#include "jprim/simulation/simulate.h"
+#include "jprim/version.h"
+
+#endif

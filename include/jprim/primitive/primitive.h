@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_PRIMITIVE_PRIMITIVE_H_
+#define JPRIM_PRIMITIVE_PRIMITIVE_H_
+
+#include <string>
+
+#include "jprim/marker/marker.h"
+
+namespace jprim {
+
+class PrimitiveImpl;
+
+/// What the six joint primitives have in common: two markers, a name and reactions. A primitive is an
+/// ordinary SimTK::Constraint; disable(), enable(), getPositionErrorsAsVector() and the rest work as
+/// Simbody says. A handle holds no data and may be copied freely.
+///
+/// Reactions are loads [moment, force] **acting on the marker's body**, expressed in Ground unless a marker
+/// is given whose axes to use. They need Stage::Acceleration and are zero while the constraint is disabled.
+/// The load on J is equal and opposite to the load on I; at J's origin it carries the lever:
+/// M_J = -M_I - r x F_I with r from J's origin to I's. Source: Adams/Solver C++, statement JPRIM.
+class Primitive : public SimTK::Constraint::Custom {
+public:
+    /// An empty handle; good only to be assigned to.
+    Primitive() = default;
+
+    /// @name Identity
+    /// The name appears in every message, e.g. "JPRIM/12". Changing it does not touch the topology.
+    ///@{
+    const std::string& getName() const;
+    Primitive& setName(const std::string& name);
+    /// Adams' word for the type: "INLINE".
+    const char* getAdamsType() const;
+    /// True if the equations are lengths and the reaction is a force; false if they are angles and it is a
+    /// torque.
+    bool isTranslational() const;
+    ///@}
+
+    /// @name Markers
+    /// A marker's body is fixed at construction. Its pose on that body has a default, which belongs to the
+    /// topology, and a value in each State, which belongs to Stage::Position: setting it needs
+    /// Stage::Topology and no rebuilding. A changed pose may violate the constraint; assemble again.
+    ///@{
+    Marker getDefaultMarkerI() const;
+    Marker getDefaultMarkerJ() const;
+    Primitive& setDefaultMarkerI(const SimTK::Transform& X_BI);
+    Primitive& setDefaultMarkerJ(const SimTK::Transform& X_BJ);
+    Marker getMarkerI(const SimTK::State& state) const;
+    Marker getMarkerJ(const SimTK::State& state) const;
+    void setMarkerI(SimTK::State& state, const SimTK::Transform& X_BI) const;
+    void setMarkerJ(SimTK::State& state, const SimTK::Transform& X_BJ) const;
+    ///@}
+
+    /// @name Reactions
+    ///@{
+    /// On I, at I's origin.
+    SimTK::SpatialVec calcReactionOnI(const SimTK::State& state) const;
+    SimTK::SpatialVec calcReactionOnI(const SimTK::State& state, const Marker& axes) const;
+    /// On J, at J's origin: [-M_I - r x F_I, -F_I].
+    SimTK::SpatialVec calcReactionOnJ(const SimTK::State& state) const;
+    SimTK::SpatialVec calcReactionOnJ(const SimTK::State& state, const Marker& axes) const;
+    /// On J's body, at the point that is now under I's origin: [-M_I, -F_I].
+    SimTK::SpatialVec calcReactionOnJAtI(const SimTK::State& state) const;
+    SimTK::SpatialVec calcReactionOnJAtI(const SimTK::State& state, const Marker& axes) const;
+
+    /// Adams' function JPRIM(id, jflag, comp, rm).
+    /// @param state  realized to Stage::Acceleration
+    /// @param jflag  0: the load on I at I's origin; 1: the load on J at J's origin
+    /// @param comp   1 … 8 = FM FX FY FZ TM TX TY TZ
+    /// @param rm     marker whose axes to use
+    /// @throws Error for any other jflag or comp
+    SimTK::Real JPRIM(const SimTK::State& state, int jflag, int comp, const Marker& rm) const;
+    /// The same in Ground's axes.
+    SimTK::Real JPRIM(const SimTK::State& state, int jflag, int comp) const;
+    ///@}
+
+protected:
+    /// Takes over the implementation and adds the constraint to the matter subsystem of its markers.
+    explicit Primitive(PrimitiveImpl* implementation);
+
+private:
+    const PrimitiveImpl& getImpl() const;
+    PrimitiveImpl& updImpl();
+};
+
+}  // namespace jprim
+
+#endif

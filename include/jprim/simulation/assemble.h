@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SIMULATION_ASSEMBLE_H_
+#define JPRIM_SIMULATION_ASSEMBLE_H_
+
+#include <string>
+#include <vector>
+
+#include "jprim/build/mechanism.h"
+
+namespace jprim {
+
+/// By how much position constraints are violated, and by which element most.
+struct Violation {
+    SimTK::Real length = 0;  ///< largest error of the translational equations [m]
+    SimTK::Real angle = 0;   ///< largest error of the rotational equations [rad]
+    std::string element;     ///< with the largest error of either kind; empty if there is none
+};
+
+/// A part that assembly moved away from its given pose.
+struct MovedPart {
+    int id = 0;
+    SimTK::Real distance = 0;  ///< of the mass centre [m]
+    SimTK::Real angle = 0;     ///< [rad]
+};
+
+/// A mechanism with its initial conditions: the assembled State and how it came about.
+struct AssembledState {
+    SimTK::State state;  ///< realized to Stage::Velocity
+    Violation before;    ///< at the given positions
+    Violation after;
+    std::vector<MovedPart> moved;
+};
+
+/// Position-level violation at a State. Requires Stage::Position.
+Violation calcViolation(const Mechanism& mechanism, const SimTK::State& state);
+
+/// Finds initial conditions as Adams does.
+///
+/// Positions: the given ones, if they satisfy the constraints to within AssemblyTolerance; otherwise those
+/// that Simbody's Assembler finds closest to them, with the coordinates named by EXACT held.
+/// Velocities: the given components are kept where the constraints allow, otherwise met as nearly as can be in
+/// the sense of least squares; of all such velocities the smallest, so that what was not given and is not
+/// driven by what was stays at rest. Angular velocities count by the part's size.
+///
+/// @throws Error naming the element that stays violated, if the constraints cannot be met
+AssembledState assemble(const Mechanism& mechanism);
+
+/// Lengths [m] and angles [rad] of constraint errors up to which given positions are taken as assembled.
+constexpr double AssemblyTolerance = 1e-9;
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SIMULATION_SIMULATE_H_
+#define JPRIM_SIMULATION_SIMULATE_H_
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jprim/simulation/assemble.h"
+#include "jprim/simulation/results.h"
+
+namespace jprim {
+
+struct SimulationOptions {
+    double end = 0;  ///< end time, in the dataset's unit; it starts at 0
+    int steps = 100;  ///< output steps of equal length; steps + 1 rows are recorded
+    double accuracy = 1e-6;  ///< relative, of the integrator; a tenth of it for constraint errors (root mean square)
+    std::string integrator = "RungeKuttaMerson";  ///< one of getIntegratorNames()
+    /// Called with the finished fraction, 0 to 1, after each output step.
+    std::function<void(double)> reportProgress;
+};
+
+/// The integrators of Simbody that can be named.
+std::vector<std::string> getIntegratorNames();
+
+/// How a simulation went. In SI.
+struct SimulationSummary {
+    int degreesOfFreedom = 0;   ///< at the start
+    int redundantEquations = 0;  ///< at the start
+    Violation worstViolation;   ///< over all recorded times
+    double energyAtStart = 0;
+    double energyAtEnd = 0;
+    double largestEnergyChange = 0;  ///< over all recorded times, from the start
+    /// What the change is held against: largest less smallest kinetic energy, or where hardly anything moves
+    /// 1e-9 of the work of the parts' weights over their sizes.
+    double energyScale = 0;
+    int stepsTaken = 0;              ///< by the integrator
+    double wallSeconds = 0;
+};
+
+/// What a simulation leaves behind. If it failed, `failure` names the time and the element and the results
+/// end there; it is empty otherwise.
+struct SimulationOutcome {
+    Results results;
+    SimulationSummary summary;
+    std::string failure;
+};
+
+/// Integrates a mechanism from assembled initial conditions and records it at equal intervals. Every output
+/// time ends an integration step: nothing recorded is interpolated.
+/// @throws Error if an option is out of range
+SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,
+                           const SimulationOptions& options);
+
+}  // namespace jprim
+
+#endif

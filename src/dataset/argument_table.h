@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_DATASET_ARGUMENT_TABLE_H_
+#define JPRIM_SRC_DATASET_ARGUMENT_TABLE_H_
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/vocabulary.h"
+#include "jprim/dataset/dataset.h"
+
+/// @file
+/// How the arguments of a statement are declared: one row for each, saying its name, what may follow the
+/// equals sign, and where the value goes. The reader does the rest.
+namespace jprim {
+
+enum class ArgumentKind {
+    Flag,          ///< a bare word
+    Choice,        ///< a bare word that excludes the statement's other choices
+    Real,          ///< `least` or `most` numbers
+    Angle,         ///< the same, each allowed the suffix D
+    Zero,          ///< a number that must be 0, because its effect is not supported yet
+    Part,          ///< the id of a PART
+    Marker,        ///< the id of a MARKER
+    MarkerOrZero,  ///< the same, or 0 for ground
+    Words,         ///< colon list of words
+    Text,          ///< free text up to the next comma
+    Expression,    ///< function expression up to a backslash
+    Ignored,       ///< free text without effect
+    Unsupported    ///< known to Adams, but not supported yet
+};
+
+/// True for the kinds that have no equals sign.
+constexpr bool isBare(ArgumentKind kind) {
+    return kind == ArgumentKind::Flag || kind == ArgumentKind::Choice;
+}
+
+/// What must hold between a marker that a statement names and the parts, beyond that the marker exists.
+enum class MarkerLink {
+    None,
+    SamePart,   ///< it belongs to the PART that names it
+    OtherPart,  ///< I and J: they belong to different parts
+};
+
+/// One argument of a statement.
+struct ArgumentRule {
+    std::string_view name;
+    ArgumentKind kind = ArgumentKind::Flag;
+    std::size_t minimum = 1;  ///< letters that an abbreviation needs
+    std::size_t least = 1;    ///< how many values: this many,
+    std::size_t most = 1;     ///< or this many
+    bool mandatory = false;
+    MarkerLink link = MarkerLink::None;
+    const std::vector<Word>* words = nullptr;  ///< for Words: the closed list
+
+    constexpr ArgumentRule(std::string_view name_, ArgumentKind kind_, std::size_t minimum_ = 1)
+        : name(name_), kind(kind_), minimum(minimum_) {}
+
+    // The same rule with one more condition, so that a row reads as a sentence.
+    constexpr ArgumentRule of(std::size_t count) const { return of(count, count); }
+    constexpr ArgumentRule of(std::size_t least_, std::size_t most_) const {
+        ArgumentRule rule = *this;
+        rule.least = least_;
+        rule.most = most_;
+        return rule;
+    }
+    constexpr ArgumentRule required() const {
+        ArgumentRule rule = *this;
+        rule.mandatory = true;
+        return rule;
+    }
+    constexpr ArgumentRule on(MarkerLink link_) const {
+        ArgumentRule rule = *this;
+        rule.link = link_;
+        return rule;
+    }
+    constexpr ArgumentRule among(const std::vector<Word>& words_) const {
+        ArgumentRule rule = *this;
+        rule.words = &words_;
+        return rule;
+    }
+};
+
+/// What was given for an argument; which members count depends on the kind.
+struct ArgumentValue {
+    std::size_t row = 0;     ///< the rule's place in the table
+    std::size_t offset = 0;  ///< where the value, or else the name, begins in Statement::text
+    std::array<double, 6> numbers{};
+    std::size_t count = 0;
+    int id = 0;
+    unsigned words = 0;  ///< bit i: word i of the closed list was given
+    std::string text;
+
+    Triple getTriple() const { return {numbers[0], numbers[1], numbers[2]}; }
+};
+
+/// The arguments of one kind of statement, read into a Target.
+template <class Target>
+class ArgumentTable {
+public:
+    using Store = void (*)(Target&, const ArgumentValue&);
+    struct Row {
+        ArgumentRule rule;
+        Store store = nullptr;  ///< null if the argument leaves nothing behind
+    };
+
+    ArgumentTable(std::initializer_list<Row> rows) {
+        for (const Row& row : rows) {
+            m_rules.push_back(row.rule);
+            m_stores.push_back(row.store);
+        }
+    }
+
+    const std::vector<ArgumentRule>& getRules() const { return m_rules; }
+    void store(Target& target, const ArgumentValue& value) const {
+        if (m_stores[value.row]) m_stores[value.row](target, value);
+    }
+
+private:
+    std::vector<ArgumentRule> m_rules;
+    std::vector<Store> m_stores;
+};
+
+}  // namespace jprim
+
+#endif

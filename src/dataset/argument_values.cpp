@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands after the equals sign of an argument.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dataset/numbers.h"
+#include "dataset/statement_reader.h"
+#include "dataset/text.h"
+
+namespace jprim {
+namespace {
+
+std::string describeCount(const ArgumentRule& rule) {
+    if (rule.least != rule.most) return fmt::format("{} or {} numbers", rule.least, rule.most);
+    return rule.most == 1 ? "1 number" : fmt::format("{} numbers", rule.most);
+}
+
+bool isNumeric(ArgumentKind kind) {
+    return kind == ArgumentKind::Real || kind == ArgumentKind::Angle || kind == ArgumentKind::Zero;
+}
+
+bool isId(ArgumentKind kind) {
+    return kind == ArgumentKind::Part || kind == ArgumentKind::Marker || kind == ArgumentKind::MarkerOrZero;
+}
+
+}  // namespace
+
+bool StatementReader::readValue(const ArgumentRule& rule, ArgumentValue& value) {
+    if (isNumeric(rule.kind) || isId(rule.kind)) return readNumbers(rule, value);
+    if (rule.kind == ArgumentKind::Words) return readWords(rule, value);
+    if (rule.kind == ArgumentKind::Expression) return readExpression(rule, value);
+    value.text = takeItem();
+    return true;
+}
+
+// The word that begins at this offset, after blanks.
+StatementReader::Name StatementReader::peekName(std::size_t offset) const {
+    Name name;
+    while (offset < m_text.size() && isBlank(m_text[offset])) ++offset;
+    const std::size_t begin = offset;
+    while (offset < m_text.size() && isWordCharacter(m_text[offset])) ++offset;
+    name.word = m_text.substr(begin, offset - begin);
+    while (offset < m_text.size() && isBlank(m_text[offset])) ++offset;
+    name.atEnd = begin == m_text.size();
+    if (!name.atEnd) name.first = m_text[begin];
+    name.equals = offset < m_text.size() && m_text[offset] == '=' && isLetter(name.first);
+    return name;
+}
+
+// A list goes on while numbers follow, and while it is too short and no other argument follows.
+bool StatementReader::isNextValue(const ArgumentRule& rule, std::size_t count) const {
+    const Name next = peekName(m_at);
+    if (!m_comma || next.atEnd) return false;
+    if (!isLetter(next.first)) return !isComma(next.first) || count < rule.most;
+    if (count >= rule.most || next.equals) return false;
+    const WordMatch match = findWord(*m_rules, next.word);
+    return !(match.found && isBare((*m_rules)[match.index].kind));
+}
+
+bool StatementReader::readNumbers(const ArgumentRule& rule, ArgumentValue& value) {
+    bool good = true;
+    do {
+        skipBlanks();
+        good = readNumber(rule, value) && good;
+        ++value.count;
+    } while (m_errors < MostErrors && isNextValue(rule, value.count));
+    if (good && value.count != rule.least && value.count != rule.most) {
+        const std::string takes = isId(rule.kind) ? "1 id" : describeCount(rule);
+        addError(m_given.back().second,
+                 fmt::format("{} takes {}, not {}", describe(rule), takes, value.count));
+        return false;
+    }
+    if (good && isId(rule.kind)) addReference(rule, value);
+    return good;
+}
+
+bool StatementReader::readNumber(const ArgumentRule& rule, ArgumentValue& value) {
+    const std::size_t offset = m_at;
+    const std::string_view item = takeItem();
+    std::string fault;
+    if (item.empty()) {
+        fault = "a value is empty";
+    } else if (isId(rule.kind)) {
+        const Number<int> id = parseId(item, rule.kind == ArgumentKind::MarkerOrZero ? 0 : 1);
+        value.id = id.value;
+        fault = id.fault;
+    } else {
+        const Number<double> number = parseReal(item, rule.kind == ArgumentKind::Angle);
+        if (value.count < value.numbers.size()) value.numbers[value.count] = number.value;
+        fault = number.fault;
+        if (fault.empty() && rule.kind == ArgumentKind::Zero && number.value != 0)
+            fault = quote(item) + " has an effect that is not supported yet; only 0 is accepted";
+    }
+    if (!fault.empty()) addError(offset, fmt::format("{}: {}", describe(rule), fault));
+    return fault.empty();
+}
+
+void StatementReader::addReference(const ArgumentRule& rule, const ArgumentValue& value) {
+    if (value.id == 0) return;
+    m_state.references.push_back(
+        {m_number, m_keyword, m_id, value.id, &rule, m_statement.getPosition(value.offset)});
+}
+
+bool StatementReader::readWords(const ArgumentRule& rule, ArgumentValue& value) {
+    const int errors = m_errors;
+    std::string_view rest = takeItem();
+    for (bool more = true; more && m_errors < MostErrors;) {
+        const std::size_t colon = std::min(rest.find(':'), rest.size());
+        const std::string_view word = trim(rest.substr(0, colon));
+        const std::size_t offset = static_cast<std::size_t>(word.data() - m_text.data());
+        more = colon < rest.size();
+        rest.remove_prefix(more ? colon + 1 : colon);
+        const WordMatch match = word.empty() ? WordMatch() : findWord(*rule.words, word);
+        if (!match.found)
+            addError(offset, fmt::format("{}: unknown word {}{}", describe(rule), quote(word),
+                                         suggestWord(*rule.words, word)));
+        else if (value.words & (1u << match.index))
+            addError(offset, fmt::format("{}: {} is given twice", describe(rule), quote(word)));
+        else
+            value.words |= 1u << match.index;
+    }
+    return m_errors == errors;
+}
+
+// Goes past the backslash or comma at `end`, and past the comma that may follow a backslash.
+void StatementReader::endExpression(std::size_t end) {
+    m_at = end;
+    m_comma = !atEnd() && isComma(m_text[m_at]);
+    if (atEnd()) return;
+    ++m_at;
+    skipBlanks();
+    if (m_comma || atEnd() || !isComma(m_text[m_at])) return;
+    m_comma = true;
+    ++m_at;
+}
+
+// An expression ends at a backslash. It also ends at a comma outside parentheses that a name and '='
+// follow: no expression has an '=', so nothing else can be meant.
+bool StatementReader::readExpression(const ArgumentRule& rule, ArgumentValue& value) {
+    const std::size_t begin = m_at;
+    const int errors = m_errors;
+    std::size_t depth = 0;
+    std::size_t end = begin;
+    for (; end < m_text.size() && m_text[end] != '\\'; ++end) {
+        const char c = m_text[end];
+        if (c == '(' || c == '[') ++depth;
+        if ((c == ')' || c == ']') && depth > 0) --depth;
+        const bool separates = isComma(c) && depth == 0;
+        if (separates && peekName(end + 1).equals) break;
+        if (c != '=' && !(separates && c == ',')) continue;
+        addError(end, fmt::format("'{}' cannot stand in {}; a '\\' or ')' may be missing before it", c,
+                                  describe(rule)));
+        break;
+    }
+    if (m_errors > errors) {
+        m_at = m_text.size();
+        m_comma = false;
+        return false;
+    }
+    value.text = collapseBlanks(m_text.substr(begin, end - begin));
+    endExpression(end);
+    if (value.text.empty()) addError(m_given.back().second, describe(rule) + " is empty");
+    return !value.text.empty();
+}
+
+}  // namespace jprim

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// REQUEST: what to write out.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "dataset/statements.h"
+
+namespace jprim {
+namespace {
+
+using Kind = ArgumentKind;
+using R = RequestStatement;
+using V = ArgumentValue;
+
+// The four types come first, in the order of RequestType, then F2 to F8.
+constexpr std::size_t FirstExpressionRow = 4;
+
+void setType(R& r, const V& v) {
+    r.type = static_cast<RequestType>(v.row);
+}
+
+void addExpression(R& r, const V& v) {
+    r.expressions.emplace_back(static_cast<int>(v.row - FirstExpressionRow) + 2, v.text);
+}
+
+constexpr ArgumentRule expression(std::string_view name) {
+    return ArgumentRule(name, Kind::Expression, ExactOnly);
+}
+
+const ArgumentTable<R>& getRequestTable() {
+    static const ArgumentTable<R> table = {
+        {{"DISPLACEMENT", Kind::Choice}, setType},
+        {{"VELOCITY", Kind::Choice}, setType},
+        {{"ACCELERATION", Kind::Choice}, setType},
+        {{"FORCE", Kind::Choice}, setType},
+        {expression("F2"), addExpression},
+        {expression("F3"), addExpression},
+        {expression("F4"), addExpression},
+        {expression("F5"), addExpression},
+        {expression("F6"), addExpression},
+        {expression("F7"), addExpression},
+        {expression("F8"), addExpression},
+        {{"I", Kind::Marker, ExactOnly}, [](R& r, const V& v) { r.i = v.id; }},
+        {{"J", Kind::MarkerOrZero, ExactOnly}, [](R& r, const V& v) { r.j = v.id; }},
+        {{"RM", Kind::MarkerOrZero, ExactOnly}, [](R& r, const V& v) { r.rm = v.id; }},
+        {{"COMMENT", Kind::Text}, [](R& r, const V& v) { r.comment = v.text; }},
+        {{"TITLE", Kind::Text}, [](R& r, const V& v) { r.title = v.text; }},
+        // Names and units of columns rename what is written and change no number.
+        {{"CNAMES", Kind::Ignored, 2}, nullptr},
+        {{"CUNITS", Kind::Ignored, 2}, nullptr},
+        {{"RESULTS_NAME", Kind::Ignored, 3}, nullptr},
+        {{"FUNCTION", Kind::Unsupported, 2}, nullptr}};
+    return table;
+}
+
+void checkForm(StatementReader& reader, const R& request) {
+    const bool hasType = reader.has(Kind::Choice);
+    const bool hasExpressions = !request.expressions.empty();
+    if (hasType && hasExpressions)
+        reader.addError(0, fmt::format("{} takes {} or expressions F2 to F8, not both", reader.getName(),
+                                       getAdamsName(request.type)));
+    else if (!hasType && !hasExpressions)
+        reader.addError(0, fmt::format("{} needs DISPLACEMENT, VELOCITY, ACCELERATION, FORCE or "
+                                       "expressions F2 to F8",
+                                       reader.getName()));
+    else if (hasType && request.i == 0)
+        reader.addError(0, fmt::format("{} needs I: I=", reader.getName()));
+    if (hasExpressions && !reader.hasErrors())
+        reader.addWarning(0, fmt::format("{}: function expressions are not evaluated yet; this request "
+                                         "writes nothing",
+                                         reader.getName()));
+}
+
+}  // namespace
+
+void readRequest(StatementReader& reader) {
+    RequestStatement request;
+    request.where = reader.getPosition();
+    request.id = reader.getId();
+    const bool good = reader.readArguments(getRequestTable(), request);
+    if (request.id != 0) reader.registerId();
+    if (good) checkForm(reader, request);
+    if (!request.expressions.empty()) request.type = RequestType::Expressions;
+    if (!reader.hasErrors()) reader.updState().dataset.requests.push_back(std::move(request));
+}
+
+}  // namespace jprim

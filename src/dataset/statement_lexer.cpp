@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dataset/statement_lexer.h"
+
+#include <algorithm>
+
+#include "dataset/text.h"
+
+namespace jprim {
+
+SourcePosition Statement::getPosition(std::size_t offset) const {
+    const auto after = std::upper_bound(segments.begin(), segments.end(), offset,
+                                        [](std::size_t o, const Segment& s) { return o < s.begin; });
+    if (after == segments.begin()) return {};
+    const Segment& segment = *(after - 1);
+    return {segment.where.line, segment.where.column + static_cast<int>(offset - segment.begin)};
+}
+
+bool isEnd(std::string_view text) {
+    if (!text.empty() && text.back() == '/') text = trim(text.substr(0, text.size() - 1));
+    return text.size() == 3 && startsWith("END", text);
+}
+
+StatementLexer::StatementLexer(std::string_view text) : m_text(text) {
+    m_title = takeLine();
+    while (!m_title.empty() && isBlank(m_title.back())) m_title.remove_suffix(1);
+}
+
+// The rest of the current line; goes on to the next one.
+std::string_view StatementLexer::takeLine() {
+    const std::size_t newline = std::min(m_text.find('\n', m_at), m_text.size());
+    const std::string_view line = m_text.substr(m_at, newline - m_at);
+    m_at = newline;
+    if (newline < m_text.size()) {
+        m_lineBegin = ++m_at;
+        ++m_line;
+    }
+    return line;
+}
+
+StatementLexer::Piece StatementLexer::scanPiece() {
+    Piece piece;
+    while (m_at < m_text.size() && isBlank(m_text[m_at])) ++m_at;
+    const std::size_t begin = m_at;
+    piece.where = {m_line, static_cast<int>(begin - m_lineBegin) + 1};
+    while (m_at < m_text.size() && m_text[m_at] != '\n' && m_text[m_at] != '!' && m_text[m_at] != ';') ++m_at;
+    piece.text = trim(m_text.substr(begin, m_at - begin));
+    piece.semicolon = m_at < m_text.size() && m_text[m_at] == ';';
+    if (piece.semicolon)
+        ++m_at;
+    else
+        takeLine();
+    return piece;
+}
+
+// Makes m_piece the next piece that says something. It stays there until next() has used it, so no
+// part of the text is looked at twice.
+bool StatementLexer::peek() {
+    while (!m_hasPiece && m_at < m_text.size()) {
+        m_piece = scanPiece();
+        m_hasPiece = !m_piece.text.empty() || m_piece.semicolon;
+    }
+    return m_hasPiece;
+}
+
+bool StatementLexer::next(Statement& statement) {
+    statement.text.clear();
+    statement.segments.clear();
+    char expects = 0;  // ',' or '&': how the line before asked for this one
+    while (peek()) {
+        std::string_view text = m_piece.text;
+        const bool open = !statement.segments.empty();
+        const bool comma = !text.empty() && text.front() == ',';
+        // A comma left over before END does not swallow it.
+        if (open && !comma && !text.empty() && (!expects || isEnd(text))) return true;
+        m_hasPiece = false;
+        const bool ampersand = !m_piece.semicolon && text.back() == '&';
+        if (ampersand) text = trim(text.substr(0, text.size() - 1));
+        if (!text.empty()) {
+            if (open && !comma) statement.text += ' ';
+            statement.segments.push_back({statement.text.size(), m_piece.where});
+            const std::size_t begin = statement.text.size();
+            statement.text += text;
+            // After a closing comma the opening one says nothing new; after '&' it is a comma like any other.
+            if (open && comma && expects != '&') statement.text[begin] = expects ? ' ' : ContinuationComma;
+            expects = text.back() == ',' ? ',' : char(0);
+        }
+        if (ampersand) expects = '&';
+        if (m_piece.semicolon && !statement.segments.empty()) return true;
+    }
+    return !statement.segments.empty();
+}
+
+SourcePosition StatementLexer::getEnd() const {
+    return {m_line, static_cast<int>(m_text.size() - m_lineBegin) + 1};
+}
+
+}  // namespace jprim

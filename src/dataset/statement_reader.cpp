@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// A statement as a whole: its keyword, its id, its messages. The arguments are in argument_reader.cpp.
+#include "dataset/statement_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dataset/numbers.h"
+#include "dataset/text.h"
+
+namespace jprim {
+
+StatementReader::StatementReader(ReadState& state, const Statement& statement)
+    : m_state(state), m_statement(statement), m_text(statement.text), m_number(state.outcomes.size()) {
+    state.outcomes.push_back(Outcome::Built);
+}
+
+std::string StatementReader::getName() const {
+    return m_id == 0 ? std::string(m_keyword) : fmt::format("{}/{}", m_keyword, m_id);
+}
+
+SourcePosition StatementReader::getPosition() const {
+    return m_statement.getPosition(0);
+}
+
+void StatementReader::addError(std::size_t offset, std::string message) {
+    ++m_errors;
+    m_state.addError(m_number, m_statement.getPosition(offset), std::move(message));
+}
+
+void StatementReader::addWarning(std::size_t offset, std::string message) {
+    m_state.diagnostics.push_back({Severity::Warning, m_statement.getPosition(offset), std::move(message)});
+}
+
+void StatementReader::skipBlanks() {
+    while (!atEnd() && isBlank(m_text[m_at])) ++m_at;
+}
+
+std::string_view StatementReader::readWord() {
+    const std::size_t begin = m_at;
+    while (!atEnd() && isWordCharacter(m_text[m_at])) ++m_at;
+    return m_text.substr(begin, m_at - begin);
+}
+
+std::string_view StatementReader::readKeyword() {
+    const std::string_view keyword = readWord();
+    skipBlanks();
+    if (keyword.empty() && !atEnd() && isComma(m_text[m_at]))
+        addError(0, "a line that begins with a comma continues a statement, but none is open here");
+    else if (keyword.empty())
+        addError(0, quote(takeItem()) + " does not begin a statement; one begins with KEYWORD/");
+    else if (!atEnd() && m_text[m_at] == '/')
+        ++m_at;
+    else
+        addError(m_at, fmt::format("a slash is missing after {}", quote(keyword)));
+    return keyword;
+}
+
+void StatementReader::readHead(std::string_view fullKeyword, bool hasId) {
+    m_keyword = fullKeyword;
+    skipBlanks();
+    if (hasId) {
+        const std::size_t begin = m_at;
+        while (!atEnd() && !isComma(m_text[m_at]) && !isBlank(m_text[m_at])) ++m_at;
+        const Number<int> id = parseId(m_text.substr(begin, m_at - begin), 1);
+        if (id.fault.empty())
+            m_id = id.value;
+        else
+            addError(begin, fmt::format("id of {}: {}", m_keyword, id.fault));
+    }
+    skipBlanks();
+    if (atEnd()) return;
+    m_comma = isComma(m_text[m_at]);
+    if (m_comma)
+        ++m_at;
+    else if (hasId)
+        addError(m_at, fmt::format("a comma is missing after {}", getName()));
+}
+
+void StatementReader::registerId(int part) {
+    const SourcePosition here = getPosition();
+    const auto [entry, isNew] = m_state.ids[m_keyword].try_emplace(m_id, IdEntry{here.line, part});
+    if (!isNew)
+        addError(0, fmt::format("{} is already given in line {}; choose another id", getName(),
+                                entry->second.line));
+}
+
+std::string StatementReader::readRawArguments() {
+    std::string result;
+    while (!atEnd()) {
+        const std::string item = collapseBlanks(takeItem());
+        if (item.empty()) continue;
+        if (!result.empty()) result += ", ";
+        result += item;
+    }
+    return result;
+}
+
+std::size_t StatementReader::getOffset(std::string_view name) const {
+    for (const auto& [rule, offset] : m_given)
+        if (rule->name == name) return offset;
+    return 0;
+}
+
+bool StatementReader::has(std::string_view name) const {
+    return std::any_of(m_given.begin(), m_given.end(), [&](const auto& g) { return g.first->name == name; });
+}
+
+bool StatementReader::has(ArgumentKind kind) const {
+    return std::any_of(m_given.begin(), m_given.end(), [&](const auto& g) { return g.first->kind == kind; });
+}
+
+}  // namespace jprim

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_DATASET_STATEMENT_READER_H_
+#define JPRIM_SRC_DATASET_STATEMENT_READER_H_
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dataset/argument_table.h"
+#include "dataset/read_state.h"
+#include "dataset/statement_lexer.h"
+
+namespace jprim {
+
+/// One statement being read: its name for messages, its errors, and its arguments by table.
+class StatementReader {
+public:
+    StatementReader(ReadState& state, const Statement& statement);
+
+    /// What was understood so far.
+    std::string_view getKeyword() const { return m_keyword; }  ///< in full
+    int getId() const { return m_id; }
+    std::string getName() const;         ///< "MARKER/3"; "UNITS"
+    SourcePosition getPosition() const;  ///< of the keyword
+    const Statement& getStatement() const { return m_statement; }
+    ReadState& updState() { return m_state; }
+
+    /// Adds an error or warning about what stands at this offset of the statement's text.
+    void addError(std::size_t offset, std::string message);
+    void addWarning(std::size_t offset, std::string message);
+    bool hasErrors() const { return m_errors > 0; }
+
+    /// Reads the word before the slash, and the slash.
+    std::string_view readKeyword();
+    /// Reads what follows the slash up to the first argument.
+    void readHead(std::string_view fullKeyword, bool hasId);
+    /// Adds this statement to those of its kind; a second one with the same id is an error.
+    void registerId(int part = 0);
+
+    /// Reads all arguments into the target. False if there was any error; if not, every argument that the
+    /// table requires was given.
+    template <class Target>
+    bool readArguments(const ArgumentTable<Target>& table, Target& target) {
+        ArgumentValue value;
+        m_rules = &table.getRules();
+        while (readArgument(value)) {
+            if (value.row < m_rules->size()) table.store(target, value);
+        }
+        return checkMandatory();
+    }
+    /// The arguments as text, blanks and line breaks made uniform.
+    std::string readRawArguments();
+
+    /// Where the argument with this full name begins; the keyword if it was not given.
+    std::size_t getOffset(std::string_view name) const;
+    bool has(std::string_view name) const;
+    bool has(ArgumentKind kind) const;
+
+private:
+    struct Name {
+        std::string_view word;
+        bool atEnd = false;   // nothing follows but blanks
+        char first = 0;       // else the first character, even if it is none of a word
+        bool equals = false;  // the word is followed by '='
+    };
+    Name peekName(std::size_t offset) const;
+
+    // One argument, good or bad; false after the last. A bad one leaves a row beyond the table.
+    bool readArgument(ArgumentValue& value);
+    bool beginArgument();
+    const ArgumentRule* readName(std::size_t& offset);
+    bool checkGiven(const ArgumentRule& rule, std::size_t offset);
+    bool readEquals(const ArgumentRule& rule, std::size_t offset);
+    bool readValue(const ArgumentRule& rule, ArgumentValue& value);
+    bool readNumbers(const ArgumentRule& rule, ArgumentValue& value);
+    bool readNumber(const ArgumentRule& rule, ArgumentValue& value);
+    bool isNextValue(const ArgumentRule& rule, std::size_t count) const;
+    bool readWords(const ArgumentRule& rule, ArgumentValue& value);
+    bool readExpression(const ArgumentRule& rule, ArgumentValue& value);
+    void endExpression(std::size_t end);
+    void skipArgument();
+    bool checkMandatory();
+    void addReference(const ArgumentRule& rule, const ArgumentValue& value);
+
+    std::string_view readWord();
+    std::string_view takeItem();
+    void skipBlanks();
+    bool atEnd() const { return m_at >= m_text.size(); }
+    std::string describe(const ArgumentRule& rule) const;
+
+    // A statement that went this wrong is not worth more messages; it also bounds their number in a file
+    // of nothing but commas.
+    static constexpr int MostErrors = 10;
+
+    ReadState& m_state;
+    const Statement& m_statement;
+    std::string_view m_text;
+    std::size_t m_number;  // of this statement in the file
+    std::string_view m_keyword;
+    int m_id = 0;
+    std::size_t m_at = 0;
+    bool m_comma = false;  // the last thing read was a comma, so an argument must follow
+    int m_errors = 0;
+    const std::vector<ArgumentRule>* m_rules = nullptr;
+    std::vector<std::pair<const ArgumentRule*, std::size_t>> m_given;  // with offsets
+};
+
+}  // namespace jprim
+
+#endif

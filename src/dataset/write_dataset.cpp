@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/dataset/write_dataset.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace jprim {
+namespace {
+
+/// Puts statements on lines of bearable length. Arguments are added one by one.
+class StatementWriter {
+public:
+    explicit StatementWriter(std::string& text) : m_text(text) {}
+
+    /// `KEYWORD/id`, or `KEYWORD/` for id 0.
+    void begin(std::string_view keyword, int id) {
+        m_line = id == 0 ? fmt::format("{}/", keyword) : fmt::format("{}/{}", keyword, id);
+        m_first = id == 0;
+        m_backslash = false;
+    }
+
+    void add(std::string_view argument) {
+        // The slash of a statement without id is followed by its first argument, without a comma.
+        const std::string_view separator = m_backslash ? "\\" : m_first ? "" : ", ";
+        if (m_line.size() + separator.size() + argument.size() > LongestLine && !m_first) {
+            m_line += m_backslash ? "\\" : "";
+            breakLine();
+            m_line += " ";
+        } else {
+            m_line += separator;
+        }
+        m_line += argument;
+        m_first = m_backslash = false;
+    }
+
+    /// An expression may be broken only at its spaces, where the comma of the next line changes nothing.
+    void addExpression(std::string_view name, std::string_view expression) {
+        std::size_t space = expression.find(' ');
+        add(fmt::format("{}={}", name, expression.substr(0, space)));
+        while (space != expression.npos) {
+            const std::size_t begin = space + 1;
+            space = expression.find(' ', begin);
+            const std::string_view word = expression.substr(begin, space - begin);
+            if (m_line.size() + 1 + word.size() > LongestLine) breakLine();
+            m_line += ' ';
+            m_line += word;
+        }
+        m_backslash = true;
+    }
+
+    void end() {
+        m_text += m_line;
+        m_text += '\n';
+    }
+
+    void add(std::string_view name, const std::optional<double>& number) {
+        if (number) add(fmt::format("{}={}", name, *number));
+    }
+    void add(std::string_view name, int id) {
+        if (id != 0) add(fmt::format("{}={}", name, id));
+    }
+    void add(std::string_view name, const std::string& text) {
+        if (!text.empty()) add(fmt::format("{}={}", name, text));
+    }
+    void add(std::string_view name, const std::optional<Triple>& t) {
+        if (!t) return;
+        const std::string begin = fmt::format("{}={}", name, (*t)[0]);
+        const std::string rest = fmt::format("{}, {}", (*t)[1], (*t)[2]);
+        // A list stays on one line unless it alone is too long for it.
+        if (begin.size() + rest.size() + 4 <= LongestLine) return add(begin + ", " + rest);
+        add(begin);
+        add(rest);
+    }
+
+private:
+    static constexpr std::size_t LongestLine = 78;  // leaves room for a closing backslash
+
+    void breakLine() {
+        end();
+        m_line = ",";
+    }
+
+    std::string& m_text;
+    std::string m_line;
+    bool m_first = false;
+    bool m_backslash = false;
+};
+
+void write(StatementWriter& w, const UnitsStatement& u) {
+    w.begin("UNITS", 0);
+    w.add("FORCE", u.names[0]);
+    w.add("MASS", u.names[1]);
+    w.add("LENGTH", u.names[2]);
+    w.add("TIME", u.names[3]);
+    w.add("SYSTEM", u.system);
+    w.add("UCF", u.ucf);
+    w.end();
+}
+
+void write(StatementWriter& w, const AccgravStatement& a) {
+    w.begin("ACCGRAV", 0);
+    w.add("IGRAV", std::optional<double>(a.acceleration[0]));
+    w.add("JGRAV", std::optional<double>(a.acceleration[1]));
+    w.add("KGRAV", std::optional<double>(a.acceleration[2]));
+    w.end();
+}
+
+void writeInertia(StatementWriter& w, const std::array<double, 6>& ip) {
+    w.add("IP", Triple{ip[0], ip[1], ip[2]});
+    if (ip[3] != 0 || ip[4] != 0 || ip[5] != 0) w.add(fmt::format("{}, {}, {}", ip[3], ip[4], ip[5]));
+}
+
+void writeExact(StatementWriter& w, const std::array<bool, 6>& exact) {
+    constexpr std::array<const char*, 6> names = {"X", "Y", "Z", "PSI", "THETA", "PHI"};
+    std::string words;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (exact[i]) words += (words.empty() ? "" : ":") + std::string(names[i]);
+    w.add("EXACT", words);
+}
+
+void write(StatementWriter& w, const PartStatement& p) {
+    w.begin("PART", p.id);
+    if (p.ground) w.add("GROUND");
+    w.add("QG", p.qg);
+    w.add("REULER", p.reuler);
+    w.add("ZG", p.zg);
+    w.add("XG", p.xg);
+    w.add("MASS", p.mass);
+    w.add("CM", p.cm);
+    w.add("IM", p.im);
+    if (p.ip) writeInertia(w, *p.ip);
+    constexpr std::array<const char*, 3> linear = {"VX", "VY", "VZ"};
+    constexpr std::array<const char*, 3> angular = {"WX", "WY", "WZ"};
+    for (std::size_t i = 0; i < 3; ++i) w.add(linear[i], p.v[i]);
+    for (std::size_t i = 0; i < 3; ++i) w.add(angular[i], p.w[i]);
+    w.add("VM", p.vm);
+    w.add("WM", p.wm);
+    writeExact(w, p.exact);
+    w.end();
+}
+
+void write(StatementWriter& w, const MarkerStatement& m) {
+    w.begin("MARKER", m.id);
+    w.add("PART", m.part);
+    w.add("QP", m.qp);
+    w.add("REULER", m.reuler);
+    w.add("ZP", m.zp);
+    w.add("XP", m.xp);
+    if (m.usexp) w.add("USEXP");
+    w.end();
+}
+
+template <class Statement>
+void writeConnection(StatementWriter& w, const char* keyword, const Statement& s) {
+    w.begin(keyword, s.id);
+    w.add(getAdamsName(s.type));
+    w.add("I", s.i);
+    w.add("J", s.j);
+    w.end();
+}
+void write(StatementWriter& w, const JprimStatement& j) {
+    writeConnection(w, "JPRIM", j);
+}
+void write(StatementWriter& w, const JointStatement& j) {
+    writeConnection(w, "JOINT", j);
+}
+
+void write(StatementWriter& w, const RequestStatement& r) {
+    w.begin("REQUEST", r.id);
+    if (r.type != RequestType::Expressions) w.add(getAdamsName(r.type));
+    w.add("I", r.i);
+    w.add("J", r.j);
+    w.add("RM", r.rm);
+    w.add("COMMENT", r.comment);
+    w.add("TITLE", r.title);
+    for (const auto& [number, expression] : r.expressions)
+        w.addExpression(fmt::format("F{}", number), expression);
+    w.end();
+}
+
+// The text is a list; it may be broken between its items.
+void write(StatementWriter& w, const IgnoredStatement& s) {
+    w.begin(s.keyword, s.id);
+    std::string_view rest = s.arguments;
+    while (!rest.empty()) {
+        const std::size_t comma = rest.find(", ");
+        w.add(rest.substr(0, comma));
+        rest.remove_prefix(comma == rest.npos ? rest.size() : comma + 2);
+    }
+    w.end();
+}
+
+}  // namespace
+
+std::string writeDataset(const Dataset& dataset) {
+    std::string text = dataset.title + "\n";
+    StatementWriter writer(text);
+    const auto writeAll = [&](const auto& statements) {
+        for (const auto& statement : statements) write(writer, statement);
+    };
+    if (dataset.units) write(writer, *dataset.units);
+    writeAll(dataset.parts);
+    writeAll(dataset.markers);
+    writeAll(dataset.jprims);
+    writeAll(dataset.joints);
+    if (dataset.gravity) write(writer, *dataset.gravity);
+    writeAll(dataset.requests);
+    writeAll(dataset.ignored);
+    return text + "END\n";
+}
+
+}  // namespace jprim

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/primitive/primitive.h"
+
+#include "jprim/marker/load.h"
+#include "primitive/primitive_impl.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Transform;
+using SimTK::Vec3;
+
+Primitive::Primitive(PrimitiveImpl* implementation) : Custom(implementation) {}
+
+const PrimitiveImpl& Primitive::getImpl() const {
+    return static_cast<const PrimitiveImpl&>(getImplementation());
+}
+
+PrimitiveImpl& Primitive::updImpl() { return static_cast<PrimitiveImpl&>(updImplementation()); }
+
+const std::string& Primitive::getName() const { return getImpl().m_name; }
+
+Primitive& Primitive::setName(const std::string& name) {
+    updImpl().m_name = name;
+    return *this;
+}
+
+const char* Primitive::getAdamsType() const { return getImpl().getAdamsType(); }
+
+bool Primitive::isTranslational() const { return getImpl().isTranslational(); }
+
+//---------------------------------------------------------------------------------------- markers
+Marker Primitive::getDefaultMarkerI() const {
+    return Marker(getImpl().getBodyI(), getImpl().getDefaultPlacements().X_BI);
+}
+
+Marker Primitive::getDefaultMarkerJ() const {
+    return Marker(getImpl().getBodyJ(), getImpl().getDefaultPlacements().X_BJ);
+}
+
+Primitive& Primitive::setDefaultMarkerI(const Transform& X_BI) {
+    updImpl().setDefaultPlacements({X_BI, getImpl().getDefaultPlacements().X_BJ});
+    return *this;
+}
+
+Primitive& Primitive::setDefaultMarkerJ(const Transform& X_BJ) {
+    updImpl().setDefaultPlacements({getImpl().getDefaultPlacements().X_BI, X_BJ});
+    return *this;
+}
+
+Marker Primitive::getMarkerI(const State& state) const {
+    return Marker(getImpl().getBodyI(), getImpl().getPlacements(state).X_BI);
+}
+
+Marker Primitive::getMarkerJ(const State& state) const {
+    return Marker(getImpl().getBodyJ(), getImpl().getPlacements(state).X_BJ);
+}
+
+void Primitive::setMarkerI(State& state, const Transform& X_BI) const {
+    getImpl().updPlacements(state).X_BI = X_BI;
+}
+
+void Primitive::setMarkerJ(State& state, const Transform& X_BJ) const {
+    getImpl().updPlacements(state).X_BJ = X_BJ;
+}
+
+//-------------------------------------------------------------------------------------- reactions
+namespace {
+const SpatialVec NoLoad(Vec3(0), Vec3(0));
+}
+
+SpatialVec Primitive::calcReactionOnI(const State& state) const {
+    if (isDisabled(state)) return NoLoad;
+    const MarkerPair pair(getMarkerI(state).findPoseInGround(state), getMarkerJ(state).findPoseInGround(state));
+    return pair.calcLoadOnI(getImpl().calcLoadOnI(state, pair));
+}
+
+SpatialVec Primitive::calcReactionOnJ(const State& state) const {
+    if (isDisabled(state)) return NoLoad;
+    const MarkerPair pair(getMarkerI(state).findPoseInGround(state), getMarkerJ(state).findPoseInGround(state));
+    return pair.calcLoadOnJ(getImpl().calcLoadOnI(state, pair));
+}
+
+SpatialVec Primitive::calcReactionOnJAtI(const State& state) const { return -calcReactionOnI(state); }
+
+SpatialVec Primitive::calcReactionOnI(const State& state, const Marker& axes) const {
+    return expressLoadIn(state, calcReactionOnI(state), axes);
+}
+
+SpatialVec Primitive::calcReactionOnJ(const State& state, const Marker& axes) const {
+    return expressLoadIn(state, calcReactionOnJ(state), axes);
+}
+
+SpatialVec Primitive::calcReactionOnJAtI(const State& state, const Marker& axes) const {
+    return expressLoadIn(state, calcReactionOnJAtI(state), axes);
+}
+
+Real Primitive::JPRIM(const State& state, int jflag, int comp) const {
+    return getReactionComponent(calcReactionOnI(state), calcReactionOnJ(state), jflag, comp,
+                                getImpl().getDescription());
+}
+
+Real Primitive::JPRIM(const State& state, int jflag, int comp, const Marker& rm) const {
+    return getReactionComponent(calcReactionOnI(state, rm), calcReactionOnJ(state, rm), jflag, comp,
+                                getImpl().getDescription());
+}
+
+}  // namespace jprim

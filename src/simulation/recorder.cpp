@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/recorder.h"
+
+#include <fmt/format.h>
+
+#include "jprim/marker/angles.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::Rotation;
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Vec3;
+
+namespace {
+
+double* put(const Vec3& v, double* out) {
+    for (int k = 0; k < 3; ++k) *out++ = v[k];
+    return out;
+}
+
+double* putWithMagnitude(const Vec3& v, double* out) {
+    *out++ = v.norm();
+    return put(v, out);
+}
+
+// [linear, angular], each led by its magnitude, in the axes of a marker.
+void putInAxes(const SpatialVec& inGround, const State& state, const Marker& axes, double* out) {
+    const Rotation R_GR = axes.findPoseInGround(state).R();
+    out = putWithMagnitude(~R_GR * inGround[1], out);
+    putWithMagnitude(~R_GR * inGround[0], out);
+}
+
+}  // namespace
+
+Recorder::Recorder(const Mechanism& mechanism) : m_mechanism(mechanism) {
+    const double second = m_mechanism.getUnits().time;
+    for (Table* table : {&m_results.requests, &m_results.reactions, &m_results.parts})
+        addGroup(*table, "", {{"time", second}}, [](const State& s, double* out) { *out = s.getTime(); });
+    for (const MechanismRequest& request : m_mechanism.getRequests()) addRequest(request);
+    for (const Connection& connection : m_mechanism.getConnections()) addConnection(connection);
+    for (const MechanismPart& part : m_mechanism.getParts())
+        if (!part.ground) addPart(part);
+    addEnergy();
+}
+
+void Recorder::addGroup(Table& table, const std::string& prefix, const std::vector<Column>& columns,
+                        std::function<void(const State&, double*)> calcInSI) {
+    Group group{&table, {}, std::move(calcInSI)};
+    for (const Column& column : columns) {
+        table.columns.push_back(prefix + column.name);
+        group.unitsInSI.push_back(column.unitInSI);
+    }
+    m_groups.push_back(std::move(group));
+}
+
+void Recorder::record(const State& state) {
+    for (const Group& group : m_groups) {
+        std::vector<double>& values = group.table->values;
+        const size_t first = values.size();
+        values.resize(first + group.unitsInSI.size());
+        group.calcInSI(state, &values[first]);
+        for (size_t k = 0; k < group.unitsInSI.size(); ++k) values[first + k] /= group.unitsInSI[k];
+    }
+}
+
+//-------------------------------------------------------------------------------------------- requests
+void Recorder::addRequest(const MechanismRequest& r) {
+    const UnitSystem& u = m_mechanism.getUnits();
+    const std::string prefix = fmt::format("R{}.", r.id);
+    const double L = u.length, V = u.getVelocity(), W = u.getAngularVelocity(), A = u.getAcceleration();
+    const double B = u.getAngularAcceleration(), F = u.force, M = u.getMoment();
+    switch (r.type) {
+        case RequestType::Displacement:
+            return addGroup(m_results.requests, prefix,
+                            {{"MAG", L}, {"X", L}, {"Y", L}, {"Z", L}, {"PSI", 1}, {"THETA", 1}, {"PHI", 1}},
+                            [r](const State& s, double* out) {
+                                const SimTK::Transform X_GI = r.I.findPoseInGround(s), X_GJ = r.J.findPoseInGround(s);
+                                const Rotation R_GR = r.rm.findPoseInGround(s).R();
+                                out = putWithMagnitude(~R_GR * (X_GI.p() - X_GJ.p()), out);
+                                put(calcAngles313(~X_GJ.R() * X_GI.R()), out);
+                            });
+        case RequestType::Velocity:
+            return addGroup(m_results.requests, prefix,
+                            {{"VM", V}, {"VX", V}, {"VY", V}, {"VZ", V}, {"WM", W}, {"WX", W}, {"WY", W}, {"WZ", W}},
+                            [r](const State& s, double* out) {
+                                putInAxes(r.I.findVelocityInGround(s) - r.J.findVelocityInGround(s), s, r.rm, out);
+                            });
+        case RequestType::Acceleration:
+            return addGroup(
+                m_results.requests, prefix,
+                {{"ACCM", A}, {"ACCX", A}, {"ACCY", A}, {"ACCZ", A}, {"WDTM", B}, {"WDTX", B}, {"WDTY", B}, {"WDTZ", B}},
+                [r](const State& s, double* out) {
+                    putInAxes(r.I.findAccelerationInGround(s) - r.J.findAccelerationInGround(s), s, r.rm, out);
+                });
+        case RequestType::Force:
+            return addGroup(m_results.requests, prefix,
+                            {{"FM", F}, {"FX", F}, {"FY", F}, {"FZ", F}, {"TM", M}, {"TX", M}, {"TY", M}, {"TZ", M}},
+                            [r, &connections = m_mechanism.getConnections()](const State& s, double* out) {
+                                SpatialVec sum(Vec3(0), Vec3(0));
+                                for (const auto& [k, iIsI] : r.connections) {
+                                    const Joint& joint = connections[k].joint;
+                                    sum += iIsI ? joint.calcReactionOnI(s) : joint.calcReactionOnJ(s);
+                                }
+                                putInAxes(sum, s, r.rm, out);
+                            });
+        case RequestType::Expressions: break;  // not evaluated; the reader has said so
+    }
+}
+
+//----------------------------------------------------------------------------- reactions, parts, energy
+void Recorder::addConnection(const Connection& connection) {
+    const double F = m_mechanism.getUnits().force, M = m_mechanism.getUnits().getMoment();
+    const std::vector<Column> columns = {{"FX", F}, {"FY", F}, {"FZ", F}, {"TX", M}, {"TY", M}, {"TZ", M}};
+    const Joint& joint = connection.joint;
+    addGroup(m_results.reactions, connection.name + ".I.", columns, [joint](const State& s, double* out) {
+        const SpatialVec load = joint.calcReactionOnI(s);
+        put(load[0], put(load[1], out));
+    });
+    addGroup(m_results.reactions, connection.name + ".J.", columns, [joint](const State& s, double* out) {
+        const SpatialVec load = joint.calcReactionOnJ(s);
+        put(load[0], put(load[1], out));
+    });
+}
+
+void Recorder::addPart(const MechanismPart& part) {
+    const UnitSystem& u = m_mechanism.getUnits();
+    const double L = u.length, V = u.getVelocity(), W = u.getAngularVelocity();
+    addGroup(m_results.parts, fmt::format("PART/{}.", part.id),
+             {{"X", L}, {"Y", L}, {"Z", L}, {"E0", 1}, {"E1", 1}, {"E2", 1}, {"E3", 1},
+              {"VX", V}, {"VY", V}, {"VZ", V}, {"WX", W}, {"WY", W}, {"WZ", W}},
+             [cm = part.cm](const State& s, double* out) {
+                 const SimTK::Transform X_GC = cm.findPoseInGround(s);
+                 out = put(X_GC.p(), out);
+                 const SimTK::Quaternion q = X_GC.R().convertRotationToQuaternion();
+                 for (int k = 0; k < 4; ++k) *out++ = q[k];
+                 const SpatialVec V_GC = cm.findVelocityInGround(s);
+                 put(V_GC[0], put(V_GC[1], out));
+             });
+}
+
+void Recorder::addEnergy() {
+    const double E = m_mechanism.getUnits().getEnergy();
+    addGroup(m_results.parts, "energy.", {{"kinetic", E}, {"potential", E}, {"total", E}},
+             [&system = m_mechanism.getSystem()](const State& s, double* out) {
+                 out[0] = system.calcKineticEnergy(s);
+                 out[1] = system.calcPotentialEnergy(s);
+                 out[2] = out[0] + out[1];
+             });
+}
+
+}  // namespace jprim

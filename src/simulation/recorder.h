@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_SIMULATION_RECORDER_H_
+#define JPRIM_SRC_SIMULATION_RECORDER_H_
+
+#include <functional>
+
+#include "jprim/build/mechanism.h"
+#include "jprim/simulation/results.h"
+
+namespace jprim {
+
+/// Fills the tables of Results from States. Each column's name, unit and value are declared together.
+class Recorder {
+public:
+    /// The mechanism must outlive the recorder.
+    explicit Recorder(const Mechanism& mechanism);
+
+    /// Adds one row to each table. Requires Stage::Acceleration.
+    void record(const SimTK::State& state);
+
+    Results& updResults() { return m_results; }
+
+private:
+    /// Columns that are computed together.
+    struct Group {
+        Table* table;
+        std::vector<double> unitsInSI;  // of each column
+        std::function<void(const SimTK::State&, double*)> calcInSI;
+    };
+
+    struct Column {
+        const char* name;
+        double unitInSI;
+    };
+
+    void addGroup(Table& table, const std::string& prefix, const std::vector<Column>& columns,
+                  std::function<void(const SimTK::State&, double*)> calcInSI);
+    void addRequest(const MechanismRequest& request);
+    void addConnection(const Connection& connection);
+    void addPart(const MechanismPart& part);
+    void addEnergy();
+
+    const Mechanism& m_mechanism;
+    Results m_results;
+    std::vector<Group> m_groups;
+};
+
+}  // namespace jprim
+
+#endif

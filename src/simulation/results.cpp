@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/simulation/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "jprim/base/error.h"
+
+namespace jprim {
+
+std::vector<double> Table::getColumn(const std::string& name) const {
+    const auto found = std::find(columns.begin(), columns.end(), name);
+    if (found == columns.end()) throw Error(name, "is not a column of the results");
+    std::vector<double> column;
+    for (size_t k = size_t(found - columns.begin()); k < values.size(); k += columns.size())
+        column.push_back(values[k]);
+    return column;
+}
+
+namespace {
+
+void writeTable(const Table& table, const std::filesystem::path& path) {
+    fmt::memory_buffer text;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "{}\n", fmt::join(table.columns, ","));
+    for (size_t row = 0; row < table.getNumRows(); ++row) {
+        const auto begin = table.values.begin() + std::ptrdiff_t(row * table.columns.size());
+        fmt::format_to(out, "{}\n", fmt::join(begin, begin + std::ptrdiff_t(table.columns.size()), ","));
+    }
+    std::ofstream file(path, std::ios::binary);
+    file.write(text.data(), std::streamsize(text.size()));
+    file.close();
+    if (!file) throw Error(path.string(), "cannot be written");
+}
+
+}  // namespace
+
+void writeResults(const Results& results, const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Error(folder, "cannot be made: " + error.message());
+    const std::filesystem::path directory(folder);
+    writeTable(results.requests, directory / "requests.csv");
+    writeTable(results.reactions, directory / "reactions.csv");
+    writeTable(results.parts, directory / "parts.csv");
+}
+
+}  // namespace jprim

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "jprim/analysis/constraint_report.h"
+#include "jprim/base/error.h"
+#include "jprim/simulation/assemble.h"
+#include "tool/commands.h"
+
+namespace jprim::tool {
+
+namespace {
+
+struct CheckReport {
+    Dataset dataset;
+    ConstraintReport constraints;
+    AssembledState assembled;
+};
+
+void printText(const CheckReport& r, const UnitSystem& units) {
+    const std::string length = getLengthName(r.dataset);
+    const auto printViolation = [&](const char* when, const Violation& v) {
+        fmt::print("constraint error {:<8}{:.3g} {}, {:.3g} rad{}\n", when, v.length / units.length, length, v.angle,
+                   v.element.empty() ? "" : fmt::format(" (at {})", v.element));
+    };
+    const Dataset& d = r.dataset;
+    fmt::print("statements              {} built, {} ignored by rule\n", d.counts.built, d.counts.ignored);
+    fmt::print("parts                   {} (ground included)\n", d.parts.size());
+    fmt::print("markers                 {}\n", d.markers.size());
+    fmt::print("JPRIM                   {}\n", d.jprims.size());
+    fmt::print("JOINT                   {}\n", d.joints.size());
+    fmt::print("requests                {}\n", d.requests.size());
+    fmt::print("Gruebler count          {}\n", r.constraints.getGrueblerCount());
+    fmt::print("degrees of freedom      {}\n", r.constraints.getDegreesOfFreedom());
+    fmt::print("redundant equations     {}\n", r.constraints.getNumRedundant());
+    printViolation("given", r.assembled.before);
+    printViolation("after", r.assembled.after);
+    for (const MovedPart& part : r.assembled.moved)
+        fmt::print("moved by assembly       PART/{} by {:.3g} {} and {:.3g} rad\n", part.id,
+                   part.distance / units.length, length, part.angle);
+}
+
+void printJson(const CheckReport& r, const UnitSystem& units) {
+    const auto violation = [&units](const Violation& v) {
+        return nlohmann::ordered_json{{"length", v.length / units.length}, {"angle", v.angle}, {"element", v.element}};
+    };
+    nlohmann::ordered_json moved = nlohmann::ordered_json::array();
+    for (const MovedPart& part : r.assembled.moved)
+        moved.push_back({{"part", part.id}, {"distance", part.distance / units.length}, {"angle", part.angle}});
+    const Dataset& d = r.dataset;
+    const nlohmann::ordered_json json = {
+        {"usable", true},
+        {"statements", {{"built", d.counts.built}, {"ignored", d.counts.ignored}, {"errors", d.counts.errors}}},
+        {"parts", d.parts.size()},
+        {"markers", d.markers.size()},
+        {"jprims", d.jprims.size()},
+        {"joints", d.joints.size()},
+        {"requests", d.requests.size()},
+        {"gruebler_count", r.constraints.getGrueblerCount()},
+        {"degrees_of_freedom", r.constraints.getDegreesOfFreedom()},
+        {"redundant_equations", r.constraints.getNumRedundant()},
+        {"violation_given", violation(r.assembled.before)},
+        {"violation_after_assembly", violation(r.assembled.after)},
+        {"moved", moved}};
+    fmt::print("{}\n", json.dump(2));
+}
+
+ExitCode printUnusable(const CheckArguments& arguments) {
+    if (arguments.json) fmt::print("{}\n", nlohmann::ordered_json{{"usable", false}}.dump(2));
+    return DatasetHasErrors;
+}
+
+}  // namespace
+
+ExitCode check(const CheckArguments& arguments) {
+    CheckReport report;
+    const std::optional<Mechanism> mechanism = loadMechanism(arguments.model, report.dataset);
+    if (!mechanism) return printUnusable(arguments);
+    try {
+        report.assembled = assemble(*mechanism);
+    } catch (const std::exception& error) {
+        printError(arguments.model, error.what());
+        return printUnusable(arguments);
+    }
+    report.constraints = analyzeConstraints(mechanism->getMatter(), report.assembled.state);
+    if (arguments.json)
+        printJson(report, mechanism->getUnits());
+    else
+        printText(report, mechanism->getUnits());
+    return Done;
+}
+
+}  // namespace jprim::tool

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_TOOL_COMMANDS_H_
+#define JPRIM_SRC_TOOL_COMMANDS_H_
+
+#include <optional>
+#include <string>
+
+#include "jprim/base/diagnostic.h"
+#include "jprim/build/mechanism.h"
+
+namespace jprim::tool {
+
+/// Exit codes of the command.
+enum ExitCode { Done = 0, SimulationFailed = 1, WrongUsage = 2, DatasetHasErrors = 3 };
+
+struct RunArguments {
+    std::string model;
+    double end = 0;
+    int steps = 0;
+    double dtout = 0;
+    double accuracy = 1e-6;
+    std::string integrator = "RungeKuttaMerson";
+    std::string out;
+    bool quiet = false;
+};
+
+struct CheckArguments {
+    std::string model;
+    bool json = false;
+};
+
+ExitCode run(const RunArguments& arguments);
+ExitCode check(const CheckArguments& arguments);
+
+/// Reads and builds a model, printing all its diagnostics to standard error. Empty if there are errors.
+std::optional<Mechanism> loadMechanism(const std::string& path, Dataset& dataset);
+
+/// What a length is called in the dataset: "MILLIMETER", or "length units" where it names none.
+std::string getLengthName(const Dataset& dataset);
+
+/// Prints one `file: error: message` line to standard error.
+void printError(const std::string& file, const std::string& message);
+
+}  // namespace jprim::tool
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/simulation/simulate.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "jprim/base/error.h"
+#include "support/run_dataset.h"
+
+namespace jprim {
+namespace {
+
+using SimTK::Vec3;
+using testing::buildOrFail;
+
+double findLargest(const std::vector<double>& values) {
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+//---------------------------------------------------------------------------------------------- units
+// A bead on a straight wire that is part of a swinging frame, with products of inertia, initial velocities
+// and every kind of request, written in any units: L, M, T are what 1 m, 1 kg and 1 s are in them.
+std::string makeBeadOnSwing(const std::string& units, double L, double M, double T) {
+    const auto point = [L](double x, double y, double z) { return fmt::format("{},{},{}", x * L, y * L, z * L); };
+    const double I = M * L * L;
+    return fmt::format("bead on a swing\n{}\nACCGRAV/JGRAV={}\n", units, -9.81 * L / (T * T)) +
+           "PART/1,GROUND\nMARKER/10,QP=" + point(0.3, 1, 0.2) +
+           fmt::format("\nPART/2,QG={},MASS={},CM=20,IP={},{},{},{},{},{},WZ={}\n", point(0.3, 1, 0.2), 2 * M, 0.2 * I,
+                       0.3 * I, 0.25 * I, 0.01 * I, -0.02 * I, 0.015 * I, 0.7 / T) +
+           "MARKER/20,QP=" + point(0.1, -0.4, 0.05) + "\nMARKER/21\nMARKER/22,REULER=80D,75D,10D,QP=" +
+           point(0.1, -0.5, 0) +
+           fmt::format("\nPART/3,QG={},REULER=80D,75D,10D,MASS={},CM=30,IP={},{},{},VX={}\n", point(0.4, 0.5, 0.2), 0.5 * M,
+                       0.01 * I, 0.02 * I, 0.015 * I, 0.2 * L / T) +
+           "MARKER/30\nMARKER/31\n"
+           "JOINT/1,REVOLUTE,I=21,J=10\nJPRIM/2,INLINE,I=31,J=22\nJPRIM/3,PARALLEL_AXES,I=31,J=22\n"
+           "REQUEST/1,DISPLACEMENT,I=30,J=10,RM=22\nREQUEST/2,VELOCITY,I=30,J=22,RM=22\n"
+           "REQUEST/3,ACCELERATION,I=30,J=10\nREQUEST/4,FORCE,I=31,J=22,RM=22\nREQUEST/5,FORCE,I=10,J=21\nEND\n";
+}
+
+// Millimetre, kilogram, newton, second is Adams' default. Conversion to SI and back is rounding.
+constexpr double UnitTolerance = 1e-9;
+
+TEST(Units, MillimetresAndMetresGiveTheSamePhysics) {
+    const Mechanism inM = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
+    const Mechanism inMm = buildOrFail(
+        makeBeadOnSwing("UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND", 1000, 1, 1));
+    const Results m = testing::run(inM, 1, 20, 1e-8).results;
+    const Results mm = testing::run(inMm, 1, 20, 1e-8).results;
+    const std::vector<std::string> lengths = {".X", ".Y", ".Z", ".MAG", ".VX", ".VY", ".VZ", ".VM", ".ACCX", ".ACCY",
+                                              ".ACCZ", ".ACCM", ".TX", ".TY", ".TZ", ".TM", "energy.kinetic",
+                                              "energy.potential", "energy.total"};
+    const auto isLength = [&lengths](const std::string& name) {
+        return std::any_of(lengths.begin(), lengths.end(), [&name](const std::string& end) {
+            return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+        });
+    };
+    int compared = 0;
+    for (const auto& [tableM, tableMm] : {std::pair(&m.requests, &mm.requests), std::pair(&m.reactions, &mm.reactions),
+                                          std::pair(&m.parts, &mm.parts)}) {
+        ASSERT_EQ(tableM->columns, tableMm->columns);
+        for (const std::string& name : tableM->columns) {
+            const std::vector<double> a = tableM->getColumn(name), b = tableMm->getColumn(name);
+            const double factor = isLength(name) ? 1e-3 : 1;
+            for (size_t row = 0; row < a.size(); ++row)
+                ASSERT_NEAR(a[row], factor * b[row], UnitTolerance * (1e-3 + findLargest(a))) << name << " row " << row;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 80);
+}
+
+// Slugs, feet and minutes, where even the time axis differs.
+TEST(Units, TimeAndForceUnitsAreConverted) {
+    const double ft = 1 / 0.3048, lb = 1 / 0.45359237, lbf = 1 / 4.4482216152605, minute = 1. / 60;
+    const Mechanism inM = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
+    const Mechanism inFt = buildOrFail(makeBeadOnSwing(
+        "UNITS/FORCE=POUND_FORCE,MASS=POUND_MASS,LENGTH=FOOT,TIME=MINUTE", ft, lb, minute));
+    const Results m = testing::run(inM, 1, 10, 1e-8).results;
+    const Results feet = testing::run(inFt, minute, 10, 1e-8).results;
+    EXPECT_NEAR(feet.parts.getColumn("time").back(), minute, 1e-15);
+    EXPECT_NEAR(feet.parts.getColumn("PART/3.X").back() / ft, m.parts.getColumn("PART/3.X").back(), 1e-9);
+    EXPECT_NEAR(feet.parts.getColumn("PART/3.VX").back() / ft * minute, m.parts.getColumn("PART/3.VX").back(), 1e-9);
+    EXPECT_NEAR(feet.reactions.getColumn("JPRIM/2.I.FX").back() / lbf, m.reactions.getColumn("JPRIM/2.I.FX").back(), 1e-7);
+    EXPECT_NEAR(feet.parts.getColumn("energy.total").back() / (ft * lbf), m.parts.getColumn("energy.total").back(), 1e-8);
+}
+
+//---------------------------------------------------------------------------------- a known mechanism
+// The statement of the Adams documentation, with its leading zeros, in a mechanism that slides: a block on a
+// line inclined by 30 degrees falls with g sin(30) along it and presses with m g cos(30) across it.
+TEST(Simulate, DocumentationExampleSlides) {
+    const Mechanism mechanism = buildOrFail(
+        "slide\nUNITS/SYSTEM=MKS\nACCGRAV/KGRAV=-9.80665\nPART/01,GROUND\nMARKER/0240,REULER=90D,60D,0D\n"
+        "PART/02,MASS=3,CM=0140,IP=1,1,1\nMARKER/0140\nJPRIM/0102, INLINE, I=0140, J=0240\n"
+        "REQUEST/1,DISPLACEMENT,I=140,J=240,RM=240\nREQUEST/2,FORCE,I=140,J=240,RM=240\nEND\n");
+    const SimulationOutcome outcome = testing::run(mechanism, 2, 4, 1e-8);
+    const double g = 9.80665, along = g * std::sin(SimTK::Pi / 6);
+    EXPECT_NEAR(outcome.results.requests.getColumn("R1.Z").back(), -0.5 * along * 4, 1e-7);
+    EXPECT_NEAR(outcome.results.requests.getColumn("R1.X").back(), 0, 1e-7);
+    EXPECT_NEAR(outcome.results.requests.getColumn("R2.FM").back(), 3 * g * std::cos(SimTK::Pi / 6), 1e-7);
+    EXPECT_NEAR(outcome.results.requests.getColumn("R2.FZ").back(), 0, 1e-9);
+    EXPECT_EQ(outcome.summary.degreesOfFreedom, 4);
+}
+
+// REQUEST/FORCE is the load on its I by its J, whichever of the two the connection calls I.
+TEST(Simulate, ForceRequestsLookFromTheirOwnMarker) {
+    const Mechanism mechanism = buildOrFail(
+        "t\nACCGRAV/KGRAV=-10\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=1,1,1\nMARKER/20\n"
+        "JOINT/1,FIXED,I=10,J=20\nREQUEST/1,FORCE,I=10,J=20\nREQUEST/2,FORCE,I=20,J=10\nREQUEST/3,FORCE,I=20\nEND\n");
+    const Table requests = testing::run(mechanism, 1, 1, 1e-6).results.requests;
+    EXPECT_NEAR(requests.getColumn("R1.FZ").back(), -20, 1e-9);
+    EXPECT_NEAR(requests.getColumn("R2.FZ").back(), 20, 1e-9);
+    EXPECT_EQ(requests.getColumn("R3.FM").back(), 0);  // no action-only forces exist yet
+}
+
+TEST(Simulate, ColumnsAreNamedAsPromised) {
+    const Mechanism mechanism = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
+    const Results results = testing::run(mechanism, 0.1, 1, 1e-6).results;
+    const std::string requests = fmt::format("{}", fmt::join(results.requests.columns, " "));
+    EXPECT_EQ(requests,
+              "time R1.MAG R1.X R1.Y R1.Z R1.PSI R1.THETA R1.PHI R2.VM R2.VX R2.VY R2.VZ R2.WM R2.WX R2.WY R2.WZ "
+              "R3.ACCM R3.ACCX R3.ACCY R3.ACCZ R3.WDTM R3.WDTX R3.WDTY R3.WDTZ "
+              "R4.FM R4.FX R4.FY R4.FZ R4.TM R4.TX R4.TY R4.TZ R5.FM R5.FX R5.FY R5.FZ R5.TM R5.TX R5.TY R5.TZ");
+    const std::string reactions = fmt::format("{}", fmt::join(results.reactions.columns, " "));
+    EXPECT_EQ(reactions.substr(0, 70), "time JPRIM/2.I.FX JPRIM/2.I.FY JPRIM/2.I.FZ JPRIM/2.I.TX JPRIM/2.I.TY ");
+    EXPECT_EQ(results.reactions.columns.size(), 1u + 3 * 12);
+    const std::string parts = fmt::format("{}", fmt::join(results.parts.columns, " "));
+    EXPECT_EQ(parts.substr(0, 121),
+              "time PART/2.X PART/2.Y PART/2.Z PART/2.E0 PART/2.E1 PART/2.E2 PART/2.E3 PART/2.VX PART/2.VY PART/2.VZ "
+              "PART/2.WX PART/2.WY");
+    EXPECT_EQ(parts.substr(parts.size() - 45), " energy.kinetic energy.potential energy.total");
+}
+
+TEST(Simulate, SummaryTellsWhatHappened) {
+    const Mechanism mechanism = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
+    double lastProgress = 0;
+    SimulationOptions options;
+    options.end = 1;
+    options.reportProgress = [&lastProgress](double fraction) { lastProgress = fraction; };
+    const SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
+    EXPECT_EQ(lastProgress, 1);
+    EXPECT_EQ(outcome.results.parts.getNumRows(), 101u);
+    EXPECT_EQ(outcome.summary.degreesOfFreedom, 1 + 2);
+    EXPECT_EQ(outcome.summary.redundantEquations, 0);
+    EXPECT_GE(outcome.summary.stepsTaken, 100);
+    EXPECT_LT(outcome.summary.largestEnergyChange, 1e-4 * outcome.summary.energyScale);
+    EXPECT_LT(outcome.summary.worstViolation.length, 1e-6);
+}
+
+//------------------------------------------------------------------------------------------- failures
+TEST(Simulate, EveryIntegratorAgrees) {
+    const Mechanism mechanism = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
+    const double exact = testing::run(mechanism, 0.5, 5, 1e-9).results.parts.getColumn("PART/3.X").back();
+    for (const std::string& name : getIntegratorNames()) {
+        SimulationOptions options;
+        options.end = 0.5;
+        options.steps = 5;
+        options.accuracy = 1e-4;
+        options.integrator = name;
+        const SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
+        EXPECT_EQ(outcome.failure, "") << name;
+        EXPECT_NEAR(outcome.results.parts.getColumn("PART/3.X").back(), exact, 5e-3) << name;
+    }
+}
+
+void expectOptionError(const SimulationOptions& options, const std::string& text) {
+    const Mechanism mechanism = buildOrFail("t\nPART/1,GROUND\nEND\n");
+    try {
+        simulate(mechanism, assemble(mechanism), options);
+        ADD_FAILURE() << "no error; expected " << text;
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), text);
+    }
+}
+
+TEST(Simulate, RefusesImpossibleOptions) {
+    SimulationOptions options;
+    expectOptionError(options, "end: 0 is not a positive time");
+    options.end = 1;
+    options.steps = 0;
+    expectOptionError(options, "steps: 0 is not a positive number");
+    options.steps = 1;
+    options.accuracy = 2;
+    expectOptionError(options, "accuracy: 2 is not between 0 and 1");
+    options.accuracy = 1e-3;
+    options.integrator = "Euler";
+    expectOptionError(options,
+                      "integrator Euler: is not known; use one of RungeKuttaMerson, RungeKutta3, Verlet, "
+                      "SemiExplicitEuler2, CPodes");
+}
+
+TEST(Simulate, AMechanismWithoutMovingPartsRuns) {
+    const Mechanism mechanism = buildOrFail("t\nPART/1,GROUND\nEND\n");
+    EXPECT_EQ(testing::run(mechanism, 1, 2, 1e-6).results.parts.getNumRows(), 3u);
+}
+
+}  // namespace
+}  // namespace jprim

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_TESTS_SUPPORT_CONFORMANCE_H_
+#define JPRIM_TESTS_SUPPORT_CONFORMANCE_H_
+
+#include <Simbody.h>
+
+#include <functional>
+
+namespace jprim::testing {
+
+/// How far one holonomic constraint is from the identities that every constraint must satisfy off its
+/// manifold, at random poses and velocities. Errors are relative to the size of what is compared.
+struct Conformance {
+    double rateError = 0;          ///< de/dt against central differences of e along the motion
+    double accelerationError = 0;  ///< d2e/dt2 against central differences of de/dt
+    double powerError = 0;         ///< Jacobian of the errors against the transpose of the forces
+    double netLoad = 0;            ///< sum of the constraint forces, as a wrench about a far point
+    int rank = 0;                  ///< of the constraint Jacobian
+    int equations = 0;
+};
+
+/// Adds the constraint to be tested between two bodies and returns it.
+using AddConstraint = std::function<SimTK::Constraint(SimTK::MobilizedBody& I, SimTK::MobilizedBody& J)>;
+
+/// The tree the constraint is tested in: I and J are both children of a moving body, so that the frame in
+/// which Simbody hands over poses, their ancestor, is not Ground.
+enum class Tree { AncestorMoves, IOnGround, JOnGround };
+
+/// Measures one constraint at one random state.
+Conformance measureConformance(const AddConstraint& add, Tree tree, int seed);
+
+/// A random rotation, uniform over SO(3), and a random vector with components in [-1, 1].
+SimTK::Rotation makeRandomRotation(SimTK::Random& random);
+SimTK::Vec3 makeRandomVec3(SimTK::Random& random);
+
+}  // namespace jprim::testing
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command as its users meet it: exit codes, files, messages, and what it prints where.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int exitCode = -1;
+    std::string out;
+    std::string err;
+};
+
+std::string readFile(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+class Tool : public ::testing::Test {
+protected:
+    Tool() : m_folder(fs::temp_directory_path() / ("jprim_tool_test_" + std::to_string(getpid()))) {
+        fs::create_directories(m_folder);
+    }
+    ~Tool() override { fs::remove_all(m_folder); }
+
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(m_folder / name) << text;
+        return (m_folder / name).string();
+    }
+
+    // Runs `jprim arguments…` with both outputs in files.
+    Outcome run(const std::string& arguments) const {
+        Outcome result;
+        const std::string out = (m_folder / "out").string(), err = (m_folder / "err").string();
+        const int status = std::system((std::string(JPRIM_TOOL) + " " + arguments + " >" + out + " 2>" + err).c_str());
+        result.exitCode = WEXITSTATUS(status);
+        result.out = readFile(out);
+        result.err = readFile(err);
+        return result;
+    }
+
+    // The same on a terminal; what the terminal shows.
+    static std::string runOnTerminal(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), JPRIM_TOOL);
+        std::vector<char*> argv;
+        for (std::string& argument : arguments) argv.push_back(argument.data());
+        argv.push_back(nullptr);
+        int terminal = -1;
+        const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+        if (child == 0) {
+            execv(argv[0], argv.data());
+            _exit(127);
+        }
+        std::string shown;
+        char buffer[4096];
+        for (ssize_t n = 0; (n = read(terminal, buffer, sizeof buffer)) > 0;) shown.append(buffer, size_t(n));
+        close(terminal);
+        waitpid(child, nullptr, 0);
+        return shown;
+    }
+
+    fs::path m_folder;
+};
+
+const std::string Pendulum =
+    "pendulum\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\nACCGRAV/KGRAV=-9806.65\n"
+    "PART/1,GROUND\nMARKER/10,REULER=180D,90D,180D\n"
+    "PART/2,MASS=1,CM=20,IP=4E4,1E5,1E5\nMARKER/20,QP=2000,0,0\nMARKER/21,REULER=180D,90D,180D\n"
+    "JOINT/1,REVOLUTE,I=10,J=21\nREQUEST/7,DISPLACEMENT,I=20\nEND\n";
+
+TEST_F(Tool, RunWritesThreeFilesAndASummary) {
+    const Outcome r = run("run " + write("p.adm", Pendulum) + " --end 1 --steps 10 --out " + (m_folder / "results").string());
+    EXPECT_EQ(r.exitCode, 0) << r.err;
+    EXPECT_EQ(r.err, "");
+    for (const char* line : {"degrees of freedom       1\n", "worst constraint error", "energy  ", "integration steps",
+                             "wall time"})
+        EXPECT_NE(r.out.find(line), std::string::npos) << line << "\n" << r.out;
+
+    const std::string requests = readFile(m_folder / "results/requests.csv");
+    EXPECT_EQ(requests.substr(0, requests.find('\n')), "time,R7.MAG,R7.X,R7.Y,R7.Z,R7.PSI,R7.THETA,R7.PHI");
+    EXPECT_EQ(std::count(requests.begin(), requests.end(), '\n'), 12);
+    EXPECT_EQ(requests.substr(requests.find('\n') + 1, 12), "0,2000,2000,");
+    // At least fifteen digits: the last time and one coordinate.
+    const std::string last = requests.substr(requests.rfind('\n', requests.size() - 2) + 1);
+    EXPECT_EQ(last.substr(0, 2), "1,");
+    EXPECT_GE(last.substr(2, last.find(',', 2) - 2).size(), 15u) << last;
+    const std::string reactions = readFile(m_folder / "results/reactions.csv");
+    EXPECT_EQ(reactions.substr(0, reactions.find('\n')),
+              "time,JOINT/1.I.FX,JOINT/1.I.FY,JOINT/1.I.FZ,JOINT/1.I.TX,JOINT/1.I.TY,JOINT/1.I.TZ,"
+              "JOINT/1.J.FX,JOINT/1.J.FY,JOINT/1.J.FZ,JOINT/1.J.TX,JOINT/1.J.TY,JOINT/1.J.TZ");
+    const std::string parts = readFile(m_folder / "results/parts.csv");
+    EXPECT_EQ(parts.substr(0, parts.find('\n')),
+              "time,PART/2.X,PART/2.Y,PART/2.Z,PART/2.E0,PART/2.E1,PART/2.E2,PART/2.E3,PART/2.VX,PART/2.VY,PART/2.VZ,"
+              "PART/2.WX,PART/2.WY,PART/2.WZ,energy.kinetic,energy.potential,energy.total");
+}
+
+TEST_F(Tool, QuietPrintsNothing) {
+    const Outcome r = run("run " + write("p.adm", Pendulum) + " --end 1 --dtout 0.1 --quiet");
+    EXPECT_EQ(r.exitCode, 0);
+    EXPECT_EQ(r.out + r.err, "");
+}
+
+// A coarse integration loses energy; a mechanism at rest has none to lose.
+TEST_F(Tool, WarnsOfEnergyErrors) {
+    const std::string model = std::string(JPRIM_SOURCE_DIR) + "/tests/data/adams/RevSpherical_Case01_joint.adm";
+    const std::string warning = "warning: the energy of this conservative mechanism changed by";
+    EXPECT_EQ(run("run " + model + " --end 5 --quiet").err.find(warning), std::string::npos);
+    const Outcome coarse = run("run " + model + " --end 5 --steps 5 --accuracy 0.05 --quiet");
+    EXPECT_EQ(coarse.exitCode, 0);
+    EXPECT_NE(coarse.err.find(warning), std::string::npos) << coarse.err;
+
+    std::string still = Pendulum;
+    still.replace(still.find("REVOLUTE"), 8, "FIXED");
+    EXPECT_EQ(run("run " + write("f.adm", still) + " --end 10 --quiet").err, "");
+}
+
+TEST_F(Tool, ProgressBarOnATerminalOnly) {
+    const std::string model = write("p.adm", Pendulum);
+    EXPECT_NE(runOnTerminal({"run", model, "--end", "1"}).find("[##########"), std::string::npos);
+    EXPECT_EQ(runOnTerminal({"run", model, "--end", "1", "--quiet"}), "");
+    EXPECT_EQ(run("run " + model + " --end 1").err, "");
+}
+
+TEST_F(Tool, AllErrorsOfADatasetAreListedAndItExitsWith3) {
+    const std::string model = write(
+        "bad.adm", "bad\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1\nMARKER/20,QQQ=1,2,3\nGCON/1,FUNCTION=1\nEND\n");
+    for (const std::string& command : {"run " + model + " --end 1", "check " + model}) {
+        const Outcome r = run(command);
+        EXPECT_EQ(r.exitCode, 3);
+        EXPECT_NE(r.err.find(model + ":5:11: error: "), std::string::npos) << r.err;
+        EXPECT_NE(r.err.find(model + ":6:1: error: GCON"), std::string::npos) << r.err;
+        EXPECT_EQ(r.out, "");
+    }
+}
+
+TEST_F(Tool, MotionOnAJprimSaysToUseAJoint) {
+    const std::string model = write("m.adm", Pendulum.substr(0, Pendulum.size() - 4) + "MOTION/1,JPRIM=1,FUNCTION=TIME\nEND\n");
+    const Outcome r = run("check " + model);
+    EXPECT_EQ(r.exitCode, 3);
+    EXPECT_NE(r.err.find("JPRIM"), std::string::npos);
+    EXPECT_NE(r.err.find("use a JOINT"), std::string::npos) << r.err;
+}
+
+TEST_F(Tool, AFileThatIsNotThereExitsWith3) {
+    const Outcome r = run("check " + (m_folder / "none.adm").string());
+    EXPECT_EQ(r.exitCode, 3);
+    EXPECT_NE(r.err.find("none.adm: error: "), std::string::npos) << r.err;
+}
+
+TEST_F(Tool, WrongUsageExitsWith2) {
+    const std::string model = write("p.adm", Pendulum);
+    const std::string ok = "run " + model + " --end 1";
+    const std::vector<std::string> wrong = {"", "walk " + model, "check", "run --end 1", "run " + model,
+                                            "run " + model + " --end -1", ok + " --steps 5 --dtout 0.1",
+                                            ok + " --steps 0", ok + " --integrator Euler", ok + " --accuracy 7",
+                                            ok + " --dtout 0.3"};
+    for (const std::string& arguments : wrong) {
+        const Outcome r = run(arguments);
+        EXPECT_EQ(r.exitCode, 2) << arguments;
+        EXPECT_EQ(r.out, "") << arguments;
+        EXPECT_NE(r.err.find("--help"), std::string::npos) << arguments << "\n" << r.err;
+    }
+}
+
+TEST_F(Tool, HelpAndVersion) {
+    EXPECT_EQ(run("--version").out, "jprim 0.1.0\n");
+    const Outcome help = run("--help");
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_NE(help.out.find("run"), std::string::npos);
+    EXPECT_NE(run("run --help").out.find("--dtout"), std::string::npos);
+}
+
+TEST_F(Tool, WhatCannotBeAssembledFailsWith1OrIsUnusable) {
+    const std::string model = write("apart.adm",
+                                    "apart\nPART/1,GROUND\nMARKER/10\nMARKER/11,QP=3,0,0\nPART/2,MASS=1,CM=20,IP=1,1,1\n"
+                                    "MARKER/20\nMARKER/21,QP=1,0,0\nJPRIM/1,ATPOINT,I=20,J=10\nJPRIM/2,ATPOINT,I=21,J=11\nEND\n");
+    const Outcome r = run("run " + model + " --end 1");
+    EXPECT_EQ(r.exitCode, 1);
+    EXPECT_NE(r.err.find("cannot be assembled"), std::string::npos);
+    const Outcome checked = run("check --json " + model);
+    EXPECT_EQ(checked.exitCode, 3);
+    EXPECT_EQ(nlohmann::json::parse(checked.out)["usable"], false);
+}
+
+TEST_F(Tool, ResultsThatCannotBeWrittenFailWith1) {
+    write("taken", "a file where the folder should be");
+    const Outcome r = run("run " + write("p.adm", Pendulum) + " --end 1 --out " + (m_folder / "taken").string());
+    EXPECT_EQ(r.exitCode, 1);
+    EXPECT_NE(r.err.find("taken"), std::string::npos);
+}
+
+TEST_F(Tool, CheckCounts) {
+    const Outcome text = run("check " + write("p.adm", Pendulum));
+    EXPECT_EQ(text.exitCode, 0);
+    EXPECT_NE(text.out.find("degrees of freedom      1\n"), std::string::npos) << text.out;
+    const nlohmann::json json = nlohmann::json::parse(run("check --json " + write("p.adm", Pendulum)).out);
+    EXPECT_EQ(json["usable"], true);
+    EXPECT_EQ(json["gruebler_count"], 1);
+    EXPECT_EQ(json["degrees_of_freedom"], 1);
+    EXPECT_EQ(json["redundant_equations"], 0);
+    EXPECT_EQ(json["statements"]["built"], 9);
+    EXPECT_EQ(json["moved"].size(), 0u);
+}
+
+TEST_F(Tool, CheckCountsRedundantEquations) {
+    // A second hinge on the same axis repeats all five equations.
+    const std::string twice = Pendulum.substr(0, Pendulum.size() - 4) + "JOINT/2,REVOLUTE,I=10,J=21\nEND\n";
+    const nlohmann::json json = nlohmann::json::parse(run("check --json " + write("p.adm", twice)).out);
+    EXPECT_EQ(json["gruebler_count"], -4);
+    EXPECT_EQ(json["degrees_of_freedom"], 1);
+    EXPECT_EQ(json["redundant_equations"], 5);
+}
+
+}  // namespace
