@@ -74,7 +74,9 @@ const std::vector<Contest>& getContests() {
 
 enum class Bodies { Free, Pinned };
 
-const char* getName(Bodies bodies) { return bodies == Bodies::Free ? "free" : "pinned"; }
+const char* getName(Bodies bodies) {
+    return bodies == Bodies::Free ? "free" : "pinned";
+}
 
 // A row of `length` bodies in a general position, gravity acting.
 struct Chain {
@@ -131,7 +133,8 @@ std::string makeName(const Contest& contest, const char* side, Bodies bodies) {
 }
 
 void printRatios(const std::map<std::string, double>& medians, Bodies bodies) {
-    fmt::print("\n{:<54}", fmt::format("jprim / Simbody, {} bodies, number of constraints:", getName(bodies)));
+    fmt::print("\n{:<54}",
+               fmt::format("jprim / Simbody, {} bodies, number of constraints:", getName(bodies)));
     for (const int n : ChainLengths) fmt::print("{:>8}", n);
     fmt::print("\n");
     for (const Contest& contest : getContests()) {
@@ -149,7 +152,8 @@ void printRatios(const std::map<std::string, double>& medians, Bodies bodies) {
 }
 
 void registerContest(const Contest& contest, Bodies bodies) {
-    for (const auto& [side, add] : {std::pair("jprim", contest.ours), std::pair("Simbody", contest.builtIn)}) {
+    for (const auto& [side, add] :
+         {std::pair("jprim", contest.ours), std::pair("Simbody", contest.builtIn)}) {
         const auto run = [bodies, add = add](benchmark::State& s) { realizeAcceleration(s, bodies, add); };
         auto* entry = benchmark::RegisterBenchmark(makeName(contest, side, bodies).c_str(), run);
         for (const int n : ChainLengths) entry->Arg(n);

@@ -32,7 +32,8 @@ const std::map<std::string, Rooms> AllowedUses = {
 std::vector<fs::path> findFiles(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file() && endings.count(entry.path().extension().string())) files.push_back(entry);
+        if (entry.is_regular_file() && endings.count(entry.path().extension().string()))
+            files.push_back(entry);
     return files;
 }
 
@@ -46,7 +47,8 @@ std::string readFile(const fs::path& path) {
 std::vector<std::string> findIncludes(const std::string& text) {
     static const std::regex include(R"re(#include\s*["<]([^">]+)[">])re");
     std::vector<std::string> names;
-    for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) names.push_back((*it)[1]);
+    for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it)
+        names.push_back((*it)[1]);
     return names;
 }
 
@@ -85,14 +87,16 @@ TEST(Architecture, RoomsUseOnlyWhatTheyMay) {
 TEST(Architecture, EveryFolderIsARoom) {
     for (const fs::path& base : {Source / "src", Source / "include/jprim"})
         for (const auto& entry : fs::directory_iterator(base))
-            EXPECT_TRUE(!entry.is_directory() || AllowedUses.count(entry.path().filename().string())) << entry.path();
+            EXPECT_TRUE(!entry.is_directory() || AllowedUses.count(entry.path().filename().string()))
+                << entry.path();
 }
 
 // The check can fail.
 TEST(Architecture, AnArrowBackIsNoticed) {
     EXPECT_EQ(findForbiddenUses("marker", "#include \"jprim/primitive/primitives.h\"\n").size(), 1u);
     EXPECT_EQ(findForbiddenUses("dataset", "#include <jprim/marker/marker.h>\n").size(), 1u);
-    EXPECT_EQ(findForbiddenUses("joint", "#include \"jprim/marker/marker.h\"\n#include <vector>\n").size(), 0u);
+    EXPECT_EQ(findForbiddenUses("joint", "#include \"jprim/marker/marker.h\"\n#include <vector>\n").size(),
+              0u);
 }
 
 // Eigen does not compile beside `using namespace SimTK;`, which users write; fmt and json are our business.

@@ -91,8 +91,9 @@ void MechanismBuilder::chooseUnits() {
         units.force = *statement.ucf;
     else if (std::abs(*statement.ucf / consistent - 1) > 1e-3)
         report(Severity::Warning, statement.where,
-               fmt::format("UCF={} does not fit the named units, whose factor is {:.6g}; the named units are used",
-                           *statement.ucf, consistent));
+               fmt::format(
+                   "UCF={} does not fit the named units, whose factor is {:.6g}; the named units are used",
+                   *statement.ucf, consistent));
 }
 
 void MechanismBuilder::findMarkerPoses() {
@@ -141,8 +142,8 @@ void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass
     part.exact = statement.exact;
 
     std::string problem;
-    part.givenPose = makeFrame({statement.qg, statement.reuler, statement.zg, statement.xg, false}, units.length,
-                               problem);
+    part.givenPose =
+        makeFrame({statement.qg, statement.reuler, statement.zg, statement.xg, false}, units.length, problem);
     if (!problem.empty())
         report(Severity::Error, statement.where, fmt::format("PART/{}: {}", part.id, problem));
 
@@ -154,7 +155,8 @@ void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass
         const Transform X_BC = getMarkerPose(statement.cm);
         part.size = calcSize(statement, X_BC.p());
         const Transform X_BM(X_BC.p());
-        MobilizedBody::Free body(ground, Transform(), makeBody(statement, X_BC, part.size, lightestMass), X_BM);
+        MobilizedBody::Free body(ground, Transform(), makeBody(statement, X_BC, part.size, lightestMass),
+                                 X_BM);
         body.setDefaultTransform(part.givenPose * X_BM);
         part.body = body;
         part.cm = Marker(body, X_BC);
@@ -178,11 +180,13 @@ Body::Rigid MechanismBuilder::makeBody(const PartStatement& statement, const Tra
     Mat33 inertia = calcCentralInertia(part);
     const std::string problem = findInertiaProblem(inertia, units.getInertia());
     if (!problem.empty()) {
-        report(Severity::Error, statement.where,
-               fmt::format("PART/{}: no body can have this IP: {}; check IP, IM and CM", statement.id, problem));
+        report(
+            Severity::Error, statement.where,
+            fmt::format("PART/{}: no body can have this IP: {}; check IP, IM and CM", statement.id, problem));
         return Body::Rigid();
     }
-    // A massless part becomes a light one of ordinary shape; one with mass but a vanishing moment, a thin one.
+    // A massless part becomes a light one of ordinary shape; one with mass but a vanishing moment, a thin
+    // one.
     const bool massless = part.mass == 0;
     if (massless) {
         part.mass = MasslessFraction * lightestMass;
@@ -194,13 +198,15 @@ Body::Rigid MechanismBuilder::makeBody(const PartStatement& statement, const Tra
     const Real smallest = (massless ? 1 : MasslessFraction) * part.mass * size * size;
     inertia = raisePrincipalMoments(inertia, smallest, wasRaised);
     if (wasRaised && !massless)
-        report(Severity::Warning, statement.where,
-               fmt::format("PART/{} has no inertia about some axis; {:.3g} kg m^2 is used so that the equations "
-                           "can be solved",
-                           statement.id, smallest));
+        report(
+            Severity::Warning, statement.where,
+            fmt::format("PART/{} has no inertia about some axis; {:.3g} kg m^2 is used so that the equations "
+                        "can be solved",
+                        statement.id, smallest));
     const SimTK::Inertia central(inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2),
                                  inertia(1, 2));
-    return Body::Rigid(SimTK::MassProperties(part.mass, X_BC.p(), central.shiftFromMassCenter(X_BC.p(), part.mass)));
+    return Body::Rigid(
+        SimTK::MassProperties(part.mass, X_BC.p(), central.shiftFromMassCenter(X_BC.p(), part.mass)));
 }
 
 //------------------------------------------------------------------------------- markers and joints
@@ -210,7 +216,8 @@ void MechanismBuilder::addMarkers() {
     for (const MarkerStatement& statement : m_dataset.markers) {
         const MechanismPart& part = m_mechanism.m_parts[m_partIndex.at(statement.part)];
         // Ground's BCS may be displaced; its Simbody body may not.
-        const Transform X_BM = part.ground ? part.givenPose * m_markerPoses[statement.id] : m_markerPoses[statement.id];
+        const Transform X_BM =
+            part.ground ? part.givenPose * m_markerPoses[statement.id] : m_markerPoses[statement.id];
         m_mechanism.m_markers[statement.id] = Marker(part.body, X_BM);
     }
     for (size_t k = 0; k < m_dataset.parts.size(); ++k) {
@@ -247,18 +254,21 @@ void MechanismBuilder::addConnections() {
     };
     for (const JprimStatement& s : m_dataset.jprims) {
         const std::string name = fmt::format("JPRIM/{}", s.id);
-        add(name, s.i, s.j, makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name));
+        add(name, s.i, s.j,
+            makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name));
     }
     for (const JointStatement& s : m_dataset.joints) {
         const std::string name = fmt::format("JOINT/{}", s.id);
-        add(name, s.i, s.j, makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name));
+        add(name, s.i, s.j,
+            makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name));
     }
 }
 
 //-------------------------------------------------------------------------------------------- requests
 void MechanismBuilder::addRequests() {
     for (const RequestStatement& statement : m_dataset.requests)
-        if (statement.type != RequestType::Expressions) m_mechanism.m_requests.push_back(makeRequest(statement));
+        if (statement.type != RequestType::Expressions)
+            m_mechanism.m_requests.push_back(makeRequest(statement));
 }
 
 MechanismRequest MechanismBuilder::makeRequest(const RequestStatement& statement) const {

@@ -17,9 +17,12 @@ enum class Sense { None, ZAxes, AllAxes };
 
 Sense getSense(JprimType type) {
     switch (type) {
-        case JprimType::ParallelAxes: return Sense::ZAxes;
-        case JprimType::Orientation: return Sense::AllAxes;
-        default: return Sense::None;
+        case JprimType::ParallelAxes:
+            return Sense::ZAxes;
+        case JprimType::Orientation:
+            return Sense::AllAxes;
+        default:
+            return Sense::None;
     }
 }
 
@@ -27,10 +30,13 @@ Sense getSense(JointType type) {
     switch (type) {
         case JointType::Revolute:
         case JointType::Cylindrical:
-        case JointType::Planar: return Sense::ZAxes;
+        case JointType::Planar:
+            return Sense::ZAxes;
         case JointType::Translational:
-        case JointType::Fixed: return Sense::AllAxes;
-        default: return Sense::None;
+        case JointType::Fixed:
+            return Sense::AllAxes;
+        default:
+            return Sense::None;
     }
 }
 
@@ -39,19 +45,26 @@ std::string findFlip(Sense sense, const Rotation& R_GI, const Rotation& R_GJ, in
     const Real angle = sense == Sense::ZAxes ? std::acos(std::clamp(R.z()[2], -1., 1.))
                                              : std::abs(R.convertRotationToAngleAxis()[0]);
     if (sense == Sense::None || angle <= SimTK::Pi / 2) return "";
-    return fmt::format("the {} of I={} and J={} are {:.4g} degrees apart and would assemble flipped; turn one of "
-                       "the markers so that they point the same way",
-                       sense == Sense::ZAxes ? "z axes" : "axes", i, j, angle * SimTK_RADIAN_TO_DEGREE);
+    return fmt::format(
+        "the {} of I={} and J={} are {:.4g} degrees apart and would assemble flipped; turn one of "
+        "the markers so that they point the same way",
+        sense == Sense::ZAxes ? "z axes" : "axes", i, j, angle * SimTK_RADIAN_TO_DEGREE);
 }
 
 Primitive makePrimitive(JprimType type, const Marker& I, const Marker& J, const std::string& name) {
     switch (type) {
-        case JprimType::AtPoint: return AtPoint(I, J, name);
-        case JprimType::InLine: return InLine(I, J, name);
-        case JprimType::InPlane: return InPlane(I, J, name);
-        case JprimType::Orientation: return Orientation(I, J, name);
-        case JprimType::ParallelAxes: return ParallelAxes(I, J, name);
-        case JprimType::Perpendicular: break;
+        case JprimType::AtPoint:
+            return AtPoint(I, J, name);
+        case JprimType::InLine:
+            return InLine(I, J, name);
+        case JprimType::InPlane:
+            return InPlane(I, J, name);
+        case JprimType::Orientation:
+            return Orientation(I, J, name);
+        case JprimType::ParallelAxes:
+            return ParallelAxes(I, J, name);
+        case JprimType::Perpendicular:
+            break;
     }
     return Perpendicular(I, J, name);
 }
@@ -72,14 +85,22 @@ Joint makeConnection(JprimType type, const Marker& I, const Marker& J, const std
 
 Joint makeConnection(JointType type, const Marker& I, const Marker& J, const std::string& name) {
     switch (type) {
-        case JointType::Spherical: return Joint::Spherical(I, J, name);
-        case JointType::Revolute: return Joint::Revolute(I, J, name);
-        case JointType::Cylindrical: return Joint::Cylindrical(I, J, name);
-        case JointType::Translational: return Joint::Translational(I, J, name);
-        case JointType::Planar: return Joint::Planar(I, J, name);
-        case JointType::Fixed: return Joint::Fixed(I, J, name);
-        case JointType::Universal: return Joint::Universal(I, J, name);
-        case JointType::Hooke: break;
+        case JointType::Spherical:
+            return Joint::Spherical(I, J, name);
+        case JointType::Revolute:
+            return Joint::Revolute(I, J, name);
+        case JointType::Cylindrical:
+            return Joint::Cylindrical(I, J, name);
+        case JointType::Translational:
+            return Joint::Translational(I, J, name);
+        case JointType::Planar:
+            return Joint::Planar(I, J, name);
+        case JointType::Fixed:
+            return Joint::Fixed(I, J, name);
+        case JointType::Universal:
+            return Joint::Universal(I, J, name);
+        case JointType::Hooke:
+            break;
     }
     return Joint::Hooke(I, J, name);
 }

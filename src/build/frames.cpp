@@ -14,7 +14,9 @@ using SimTK::Vec3;
 
 namespace {
 
-Vec3 toVec3(const Triple& t) { return {t[0], t[1], t[2]}; }
+Vec3 toVec3(const Triple& t) {
+    return {t[0], t[1], t[2]};
+}
 
 // Directions closer to parallel than this span no plane.
 constexpr Real SmallestSine = 1e-9;
@@ -38,8 +40,9 @@ Rotation makeAxes(const Direction& first, Direction second, std::string& problem
         second.vector = Vec3(UnitVec3(second.axis));
         if (isAlong(*second.vector)) *second.vector = Vec3(0, 1, 0);
     } else if (isAlong(*second.vector)) {
-        problem = "the points for the x and the z axis lie on one line through the origin of the frame; "
-                  "give another point";
+        problem =
+            "the points for the x and the z axis lie on one line through the origin of the frame; "
+            "give another point";
         return Rotation();
     }
     return Rotation(along, first.axis, *second.vector, second.axis);

@@ -16,7 +16,8 @@ Mechanism::Mechanism() : m_bodies(std::make_unique<Bodies>()) {}
 
 const Marker& Mechanism::getMarker(int id) const {
     const auto found = m_markers.find(id);
-    if (found == m_markers.end()) throw Error(fmt::format("MARKER/{}", id), "does not exist in this mechanism");
+    if (found == m_markers.end())
+        throw Error(fmt::format("MARKER/{}", id), "does not exist in this mechanism");
     return found->second;
 }
 
@@ -42,8 +43,7 @@ std::vector<Mechanism::Equation> Mechanism::findEquations(const State& state) co
             if (primitive.isDisabled(state)) continue;
             int mp = 0, mv = 0, ma = 0;
             primitive.getNumConstraintEquationsInUse(state, mp, mv, ma);
-            for (int k = 0; k < mp; ++k)
-                equations.push_back({connection.name, primitive.isTranslational()});
+            for (int k = 0; k < mp; ++k) equations.push_back({connection.name, primitive.isTranslational()});
         }
     return equations;
 }

@@ -44,9 +44,10 @@ std::string findInertiaProblem(const Mat33& inertia, Real unit) {
         return fmt::format("one of its principal moments about the mass centre is negative ({:.6g})",
                            moments[0]);
     if (moments[2] > (moments[0] + moments[1]) * (1 + DigitsLost))
-        return fmt::format("its largest principal moment about the mass centre ({:.6g}) is larger than "
-                           "the sum of the other two ({:.6g})",
-                           moments[2], moments[0] + moments[1]);
+        return fmt::format(
+            "its largest principal moment about the mass centre ({:.6g}) is larger than "
+            "the sum of the other two ({:.6g})",
+            moments[2], moments[0] + moments[1]);
     return "";
 }
 

@@ -12,8 +12,8 @@ namespace jprim {
 /// Mass and inertia of a part as a dataset states them, in SI.
 struct PartMass {
     SimTK::Real mass = 0;
-    SimTK::Transform X_BC;                   ///< CM marker in the body frame
-    SimTK::Transform X_BI;                   ///< inertia marker in the body frame
+    SimTK::Transform X_BC;                    ///< CM marker in the body frame
+    SimTK::Transform X_BI;                    ///< inertia marker in the body frame
     std::optional<std::array<double, 6>> ip;  ///< about the inertia marker's origin [kg m^2]
 };
 

@@ -63,8 +63,9 @@ Joint Joint::Universal(const Marker& I, const Marker& J, const std::string& name
 }
 
 Joint Joint::Hooke(const Marker& I, const Marker& J, const std::string& name) {
-    return Joint("HOOKE", name,
-                 {AtPoint(I, J, name), Perpendicular(turnZTo(I, SimTK::XAxis), turnZTo(J, SimTK::YAxis), name)});
+    return Joint(
+        "HOOKE", name,
+        {AtPoint(I, J, name), Perpendicular(turnZTo(I, SimTK::XAxis), turnZTo(J, SimTK::YAxis), name)});
 }
 
 void Joint::disable(State& state) const {
@@ -75,7 +76,9 @@ void Joint::enable(State& state) const {
     for (const Primitive& primitive : m_primitives) primitive.enable(state);
 }
 
-bool Joint::isDisabled(const State& state) const { return m_primitives.front().isDisabled(state); }
+bool Joint::isDisabled(const State& state) const {
+    return m_primitives.front().isDisabled(state);
+}
 
 //-------------------------------------------------------------------------------------- reactions
 SpatialVec Joint::calcReactionOnI(const State& state) const {
@@ -90,7 +93,9 @@ SpatialVec Joint::calcReactionOnJ(const State& state) const {
     return sum;
 }
 
-SpatialVec Joint::calcReactionOnJAtI(const State& state) const { return -calcReactionOnI(state); }
+SpatialVec Joint::calcReactionOnJAtI(const State& state) const {
+    return -calcReactionOnI(state);
+}
 
 SpatialVec Joint::calcReactionOnI(const State& state, const Marker& axes) const {
     return expressLoadIn(state, calcReactionOnI(state), axes);
@@ -105,7 +110,8 @@ SpatialVec Joint::calcReactionOnJAtI(const State& state, const Marker& axes) con
 }
 
 Real Joint::JOINT(const State& state, int jflag, int comp) const {
-    return getReactionComponent(calcReactionOnI(state), calcReactionOnJ(state), jflag, comp, getDescription());
+    return getReactionComponent(calcReactionOnI(state), calcReactionOnJ(state), jflag, comp,
+                                getDescription());
 }
 
 Real Joint::JOINT(const State& state, int jflag, int comp, const Marker& rm) const {

@@ -19,8 +19,9 @@ SpatialVec expressLoadIn(const State& state, const SpatialVec& load_G, const Mar
 Real getReactionComponent(const SpatialVec& onI, const SpatialVec& onJ, int jflag, int comp,
                           const std::string& element) {
     if (jflag != 0 && jflag != 1)
-        throw Error(element, fmt::format("jflag {} does not exist; use 0 for the load on I, 1 for the load on J",
-                                         jflag));
+        throw Error(
+            element,
+            fmt::format("jflag {} does not exist; use 0 for the load on I, 1 for the load on J", jflag));
     if (comp < 1 || comp > 8)
         throw Error(element, fmt::format("component {} of a reaction does not exist; use 1 to 8 for "
                                          "FM FX FY FZ TM TX TY TZ",

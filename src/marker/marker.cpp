@@ -11,7 +11,9 @@ using SimTK::Vec3;
 
 Marker::Marker(const MobilizedBody& body, const Transform& X_BM) : m_body(body), m_X_BM(X_BM) {}
 
-bool Marker::isOnBody() const { return !m_body.isEmptyHandle() && m_body.isInSubsystem(); }
+bool Marker::isOnBody() const {
+    return !m_body.isEmptyHandle() && m_body.isInSubsystem();
+}
 
 Transform Marker::findPoseInGround(const State& state) const {
     return m_body.getBodyTransform(state) * m_X_BM;

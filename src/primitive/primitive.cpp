@@ -18,18 +18,26 @@ const PrimitiveImpl& Primitive::getImpl() const {
     return static_cast<const PrimitiveImpl&>(getImplementation());
 }
 
-PrimitiveImpl& Primitive::updImpl() { return static_cast<PrimitiveImpl&>(updImplementation()); }
+PrimitiveImpl& Primitive::updImpl() {
+    return static_cast<PrimitiveImpl&>(updImplementation());
+}
 
-const std::string& Primitive::getName() const { return getImpl().m_name; }
+const std::string& Primitive::getName() const {
+    return getImpl().m_name;
+}
 
 Primitive& Primitive::setName(const std::string& name) {
     updImpl().m_name = name;
     return *this;
 }
 
-const char* Primitive::getAdamsType() const { return getImpl().getAdamsType(); }
+const char* Primitive::getAdamsType() const {
+    return getImpl().getAdamsType();
+}
 
-bool Primitive::isTranslational() const { return getImpl().isTranslational(); }
+bool Primitive::isTranslational() const {
+    return getImpl().isTranslational();
+}
 
 //---------------------------------------------------------------------------------------- markers
 Marker Primitive::getDefaultMarkerI() const {
@@ -73,17 +81,21 @@ const SpatialVec NoLoad(Vec3(0), Vec3(0));
 
 SpatialVec Primitive::calcReactionOnI(const State& state) const {
     if (isDisabled(state)) return NoLoad;
-    const MarkerPair pair(getMarkerI(state).findPoseInGround(state), getMarkerJ(state).findPoseInGround(state));
+    const MarkerPair pair(getMarkerI(state).findPoseInGround(state),
+                          getMarkerJ(state).findPoseInGround(state));
     return pair.calcLoadOnI(getImpl().calcLoadOnI(state, pair));
 }
 
 SpatialVec Primitive::calcReactionOnJ(const State& state) const {
     if (isDisabled(state)) return NoLoad;
-    const MarkerPair pair(getMarkerI(state).findPoseInGround(state), getMarkerJ(state).findPoseInGround(state));
+    const MarkerPair pair(getMarkerI(state).findPoseInGround(state),
+                          getMarkerJ(state).findPoseInGround(state));
     return pair.calcLoadOnJ(getImpl().calcLoadOnI(state, pair));
 }
 
-SpatialVec Primitive::calcReactionOnJAtI(const State& state) const { return -calcReactionOnI(state); }
+SpatialVec Primitive::calcReactionOnJAtI(const State& state) const {
+    return -calcReactionOnI(state);
+}
 
 SpatialVec Primitive::calcReactionOnI(const State& state, const Marker& axes) const {
     return expressLoadIn(state, calcReactionOnI(state), axes);

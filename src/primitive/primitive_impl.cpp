@@ -48,8 +48,8 @@ SimbodyMatterSubsystem& findMatter(const Marker& I, const Marker& J, const std::
 
 }  // namespace
 
-PrimitiveImpl::PrimitiveImpl(const char* adamsType, Kind kind, int numEquations, const Marker& I, const Marker& J,
-                             const std::string& name)
+PrimitiveImpl::PrimitiveImpl(const char* adamsType, Kind kind, int numEquations, const Marker& I,
+                             const Marker& J, const std::string& name)
     : Implementation(findMatter(I, J, describe(adamsType, name)), numEquations, 0, 0),
       m_name(name),
       m_adamsType(adamsType),
@@ -59,7 +59,9 @@ PrimitiveImpl::PrimitiveImpl(const char* adamsType, Kind kind, int numEquations,
       m_bodyJ(addConstrainedBody(J.getBody())),
       m_defaults{I.getPose(), J.getPose()} {}
 
-std::string PrimitiveImpl::getDescription() const { return describe(m_adamsType, m_name); }
+std::string PrimitiveImpl::getDescription() const {
+    return describe(m_adamsType, m_name);
+}
 
 const MobilizedBody& PrimitiveImpl::getBodyI() const {
     return getMatterSubsystem().getMobilizedBody(getMobilizedBodyIndexOfConstrainedBody(m_bodyI));
@@ -158,7 +160,8 @@ PrimitiveImpl::Errors PrimitiveImpl::calcBodyBias(const State& state) const {
     Errors bias(0);
     calcBias(pair, pair.calcVelocity(V_AI, V_AJ), bias);
     const Directions& d = getPositionCache(state).directions;
-    for (int k = 0; k < m_numEquations; ++k) bias[k] += SimTK::dot(d[k][0], A_J[0]) + SimTK::dot(d[k][1], A_J[1]);
+    for (int k = 0; k < m_numEquations; ++k)
+        bias[k] += SimTK::dot(d[k][0], A_J[0]) + SimTK::dot(d[k][1], A_J[1]);
     return bias;
 }
 
@@ -170,7 +173,8 @@ Real PrimitiveImpl::multiply(const Row& row, const SpatialVec& motionI, const Sp
            SimTK::dot(row.force, motionI[1] - motionJ[1]);
 }
 
-void PrimitiveImpl::calcPositionErrors(const State& state, const Array_<Transform, ConstrainedBodyIndex>& X_AB,
+void PrimitiveImpl::calcPositionErrors(const State& state,
+                                       const Array_<Transform, ConstrainedBodyIndex>& X_AB,
                                        const Array_<Real, ConstrainedQIndex>&, Array_<Real>& perr) const {
     const Placements& placements = getPlacements(state);
     Errors e;
@@ -180,8 +184,7 @@ void PrimitiveImpl::calcPositionErrors(const State& state, const Array_<Transfor
 
 void PrimitiveImpl::calcPositionDotErrors(const State& state,
                                           const Array_<SpatialVec, ConstrainedBodyIndex>& V_AB,
-                                          const Array_<Real, ConstrainedQIndex>&,
-                                          Array_<Real>& pverr) const {
+                                          const Array_<Real, ConstrainedQIndex>&, Array_<Real>& pverr) const {
     const PositionCache& cache = getPositionCache(state);
     const SpatialVec& V_I = V_AB[m_bodyI];
     const SpatialVec& V_J = V_AB[m_bodyJ];

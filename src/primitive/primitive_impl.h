@@ -84,17 +84,15 @@ private:
                                const SimTK::Array_<SimTK::Real, SimTK::ConstrainedQIndex>& constrainedQDot,
                                SimTK::Array_<SimTK::Real>& pverr) const override;
     void calcPositionDotDotErrors(
-        const SimTK::State& state,
-        const SimTK::Array_<SimTK::SpatialVec, SimTK::ConstrainedBodyIndex>& A_AB,
+        const SimTK::State& state, const SimTK::Array_<SimTK::SpatialVec, SimTK::ConstrainedBodyIndex>& A_AB,
         const SimTK::Array_<SimTK::Real, SimTK::ConstrainedQIndex>& constrainedQDotDot,
         SimTK::Array_<SimTK::Real>& paerr) const override;
     void addInPositionConstraintForces(
         const SimTK::State& state, const SimTK::Array_<SimTK::Real>& multipliers,
         SimTK::Array_<SimTK::SpatialVec, SimTK::ConstrainedBodyIndex>& bodyForcesInA,
         SimTK::Array_<SimTK::Real, SimTK::ConstrainedQIndex>& qForces) const override;
-    void calcDecorativeGeometryAndAppend(
-        const SimTK::State& state, SimTK::Stage stage,
-        SimTK::Array_<SimTK::DecorativeGeometry>& geometry) const override;
+    void calcDecorativeGeometryAndAppend(const SimTK::State& state, SimTK::Stage stage,
+                                         SimTK::Array_<SimTK::DecorativeGeometry>& geometry) const override;
 
     const PositionCache& getPositionCache(const SimTK::State& state) const;
     void calcPositionCache(const SimTK::State& state, PositionCache& cache) const;

@@ -16,7 +16,9 @@ public:
     // Holds J's axes firstAxis … firstAxis + numAxes - 1, where x is 0.
     TranslationalImpl(const char* adamsType, int firstAxis, int numAxes, const Marker& I, const Marker& J,
                       const std::string& name)
-        : PrimitiveImpl(adamsType, Kind::Translational, numAxes, I, J, name), m_firstAxis(firstAxis), m_numAxes(numAxes) {}
+        : PrimitiveImpl(adamsType, Kind::Translational, numAxes, I, J, name),
+          m_firstAxis(firstAxis),
+          m_numAxes(numAxes) {}
 
     Implementation* clone() const override { return new TranslationalImpl(*this); }
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "jprim/marker/angles.h"
 #include "jprim/base/error.h"
+#include "jprim/marker/angles.h"
 #include "simulation/initial_velocities.h"
 
 namespace jprim {
@@ -27,8 +27,8 @@ namespace {
 // Simbody's projection after assembly; well below AssemblyTolerance.
 constexpr Real ProjectionTolerance = 1e-11;
 
-/// PART/EXACT as something the Assembler must satisfy: the named ones of the coordinates X, Y, Z [sizes of the
-/// part] and PSI, THETA, PHI [rad] of the part's BCS keep their given values.
+/// PART/EXACT as something the Assembler must satisfy: the named ones of the coordinates X, Y, Z [sizes of
+/// the part] and PSI, THETA, PHI [rad] of the part's BCS keep their given values.
 class ExactCoordinates : public AssemblyCondition {
 public:
     explicit ExactCoordinates(const MechanismPart& part)
@@ -71,7 +71,8 @@ void stayCloseToGivenPoses(const Mechanism& mechanism, const State& state, Assem
         if (part.ground) continue;
         const Vec3 center = part.cm.getPose().p();
         for (const Vec3& offset : {Vec3(0), Vec3(part.size, 0, 0), Vec3(0, part.size, 0)}) {
-            markers->addMarker(part.body.getMobilizedBodyIndex(), center + offset, 1 / (part.size * part.size));
+            markers->addMarker(part.body.getMobilizedBodyIndex(), center + offset,
+                               1 / (part.size * part.size));
             targets.push_back(part.givenPose * (center + offset));
         }
     }
@@ -91,10 +92,11 @@ void assemblePositions(const Mechanism& mechanism, State& state) {
         assembler.updateFromInternalState(state);
         mechanism.getSystem().realize(state, Stage::Position);
         const Violation left = calcViolation(mechanism, state);
-        throw Error(left.element.empty() ? "assembly" : left.element,
-                    fmt::format("the parts cannot be assembled from their given positions; an error of {:.3g} m and "
-                                "{:.3g} rad is left",
-                                left.length, left.angle));
+        throw Error(
+            left.element.empty() ? "assembly" : left.element,
+            fmt::format("the parts cannot be assembled from their given positions; an error of {:.3g} m and "
+                        "{:.3g} rad is left",
+                        left.length, left.angle));
     }
 }
 
@@ -107,7 +109,8 @@ std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& s
         const Real distance = (X_GB * center - part.givenPose * center).norm();
         const Rotation turn = ~part.givenPose.R() * X_GB.R();
         const Real angle = std::abs(turn.convertRotationToAngleAxis()[0]);
-        if (distance > AssemblyTolerance || angle > AssemblyTolerance) moved.push_back({part.id, distance, angle});
+        if (distance > AssemblyTolerance || angle > AssemblyTolerance)
+            moved.push_back({part.id, distance, angle});
     }
     return moved;
 }

@@ -76,36 +76,47 @@ void Recorder::addRequest(const MechanismRequest& r) {
             return addGroup(m_results.requests, prefix,
                             {{"MAG", L}, {"X", L}, {"Y", L}, {"Z", L}, {"PSI", 1}, {"THETA", 1}, {"PHI", 1}},
                             [r](const State& s, double* out) {
-                                const SimTK::Transform X_GI = r.I.findPoseInGround(s), X_GJ = r.J.findPoseInGround(s);
+                                const SimTK::Transform X_GI = r.I.findPoseInGround(s),
+                                                       X_GJ = r.J.findPoseInGround(s);
                                 const Rotation R_GR = r.rm.findPoseInGround(s).R();
                                 out = putWithMagnitude(~R_GR * (X_GI.p() - X_GJ.p()), out);
                                 put(calcAngles313(~X_GJ.R() * X_GI.R()), out);
                             });
         case RequestType::Velocity:
-            return addGroup(m_results.requests, prefix,
-                            {{"VM", V}, {"VX", V}, {"VY", V}, {"VZ", V}, {"WM", W}, {"WX", W}, {"WY", W}, {"WZ", W}},
-                            [r](const State& s, double* out) {
-                                putInAxes(r.I.findVelocityInGround(s) - r.J.findVelocityInGround(s), s, r.rm, out);
-                            });
-        case RequestType::Acceleration:
             return addGroup(
                 m_results.requests, prefix,
-                {{"ACCM", A}, {"ACCX", A}, {"ACCY", A}, {"ACCZ", A}, {"WDTM", B}, {"WDTX", B}, {"WDTY", B}, {"WDTZ", B}},
+                {{"VM", V}, {"VX", V}, {"VY", V}, {"VZ", V}, {"WM", W}, {"WX", W}, {"WY", W}, {"WZ", W}},
                 [r](const State& s, double* out) {
-                    putInAxes(r.I.findAccelerationInGround(s) - r.J.findAccelerationInGround(s), s, r.rm, out);
+                    putInAxes(r.I.findVelocityInGround(s) - r.J.findVelocityInGround(s), s, r.rm, out);
                 });
-        case RequestType::Force:
+        case RequestType::Acceleration:
             return addGroup(m_results.requests, prefix,
-                            {{"FM", F}, {"FX", F}, {"FY", F}, {"FZ", F}, {"TM", M}, {"TX", M}, {"TY", M}, {"TZ", M}},
-                            [r, &connections = m_mechanism.getConnections()](const State& s, double* out) {
-                                SpatialVec sum(Vec3(0), Vec3(0));
-                                for (const auto& [k, iIsI] : r.connections) {
-                                    const Joint& joint = connections[k].joint;
-                                    sum += iIsI ? joint.calcReactionOnI(s) : joint.calcReactionOnJ(s);
-                                }
-                                putInAxes(sum, s, r.rm, out);
+                            {{"ACCM", A},
+                             {"ACCX", A},
+                             {"ACCY", A},
+                             {"ACCZ", A},
+                             {"WDTM", B},
+                             {"WDTX", B},
+                             {"WDTY", B},
+                             {"WDTZ", B}},
+                            [r](const State& s, double* out) {
+                                putInAxes(r.I.findAccelerationInGround(s) - r.J.findAccelerationInGround(s),
+                                          s, r.rm, out);
                             });
-        case RequestType::Expressions: break;  // not evaluated; the reader has said so
+        case RequestType::Force:
+            return addGroup(
+                m_results.requests, prefix,
+                {{"FM", F}, {"FX", F}, {"FY", F}, {"FZ", F}, {"TM", M}, {"TX", M}, {"TY", M}, {"TZ", M}},
+                [r, &connections = m_mechanism.getConnections()](const State& s, double* out) {
+                    SpatialVec sum(Vec3(0), Vec3(0));
+                    for (const auto& [k, iIsI] : r.connections) {
+                        const Joint& joint = connections[k].joint;
+                        sum += iIsI ? joint.calcReactionOnI(s) : joint.calcReactionOnJ(s);
+                    }
+                    putInAxes(sum, s, r.rm, out);
+                });
+        case RequestType::Expressions:
+            break;  // not evaluated; the reader has said so
     }
 }
 
@@ -128,8 +139,19 @@ void Recorder::addPart(const MechanismPart& part) {
     const UnitSystem& u = m_mechanism.getUnits();
     const double L = u.length, V = u.getVelocity(), W = u.getAngularVelocity();
     addGroup(m_results.parts, fmt::format("PART/{}.", part.id),
-             {{"X", L}, {"Y", L}, {"Z", L}, {"E0", 1}, {"E1", 1}, {"E2", 1}, {"E3", 1},
-              {"VX", V}, {"VY", V}, {"VZ", V}, {"WX", W}, {"WY", W}, {"WZ", W}},
+             {{"X", L},
+              {"Y", L},
+              {"Z", L},
+              {"E0", 1},
+              {"E1", 1},
+              {"E2", 1},
+              {"E3", 1},
+              {"VX", V},
+              {"VY", V},
+              {"VZ", V},
+              {"WX", W},
+              {"WY", W},
+              {"WZ", W}},
              [cm = part.cm](const State& s, double* out) {
                  const SimTK::Transform X_GC = cm.findPoseInGround(s);
                  out = put(X_GC.p(), out);

@@ -61,12 +61,14 @@ void checkOptions(const SimulationOptions& options) {
 /// Watches what the summary is about.
 class Monitor {
 public:
-    Monitor(const Mechanism& mechanism, SimulationSummary& summary) : m_mechanism(mechanism), m_summary(summary) {}
+    Monitor(const Mechanism& mechanism, SimulationSummary& summary)
+        : m_mechanism(mechanism), m_summary(summary) {}
 
     void observe(const State& state) {
         const Violation now = calcViolation(m_mechanism, state);
         Violation& worst = m_summary.worstViolation;
-        if (std::max(now.length, now.angle) > std::max(worst.length, worst.angle)) worst.element = now.element;
+        if (std::max(now.length, now.angle) > std::max(worst.length, worst.angle))
+            worst.element = now.element;
         worst.length = std::max(worst.length, now.length);
         worst.angle = std::max(worst.angle, now.angle);
 
@@ -91,7 +93,8 @@ private:
         constexpr Real HardlyMoving = 1e-9;
         Real work = 0;
         for (const MechanismPart& part : m_mechanism.getParts())
-            if (!part.ground) work += part.body.getBodyMass(state) * part.size * m_mechanism.getGravity().norm();
+            if (!part.ground)
+                work += part.body.getBodyMass(state) * part.size * m_mechanism.getGravity().norm();
         return HardlyMoving * work;
     }
 
@@ -108,20 +111,19 @@ void stepTo(Integrator& integrator, Real time) {
     }
 }
 
-// Simbody's messages run over several lines of which the last say what happened to whom inside it.
-std::string getFirstLines(const std::string& text) {
-    std::string line = text;
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    return line;
+// Simbody's messages run over several lines.
+std::string joinLines(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
 }
 
 std::string describeFailure(const Mechanism& mechanism, const State& state, const std::string& reason) {
     const double time = state.getTime() / mechanism.getUnits().time;
     std::string element;
     if (state.getSystemStage() >= Stage::Position) element = calcViolation(mechanism, state).element;
-    return fmt::format("at time {:.6g}: the integrator cannot go on{}: {}", time,
+    return fmt::format("at time {:.6g}: the simulation cannot go on{}: {}", time,
                        element.empty() ? "" : fmt::format("; the largest constraint error is at {}", element),
-                       getFirstLines(reason));
+                       joinLines(reason));
 }
 
 }  // namespace
@@ -152,7 +154,8 @@ SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& ini
             stepTo(*integrator, end * k / options.steps);
             const State& state = integrator->getState();
             system.realize(state, Stage::Acceleration);
-            if (!std::isfinite(state.getUDot().norm())) throw std::runtime_error("accelerations are not finite");
+            if (!std::isfinite(state.getUDot().norm()))
+                throw std::runtime_error("accelerations are not finite");
             recorder.record(state);
             monitor.observe(state);
             if (options.reportProgress) options.reportProgress(double(k) / options.steps);

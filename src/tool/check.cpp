@@ -21,8 +21,8 @@ struct CheckReport {
 void printText(const CheckReport& r, const UnitSystem& units) {
     const std::string length = getLengthName(r.dataset);
     const auto printViolation = [&](const char* when, const Violation& v) {
-        fmt::print("constraint error {:<8}{:.3g} {}, {:.3g} rad{}\n", when, v.length / units.length, length, v.angle,
-                   v.element.empty() ? "" : fmt::format(" (at {})", v.element));
+        fmt::print("constraint error {:<8}{:.3g} {}, {:.3g} rad{}\n", when, v.length / units.length, length,
+                   v.angle, v.element.empty() ? "" : fmt::format(" (at {})", v.element));
     };
     const Dataset& d = r.dataset;
     fmt::print("statements              {} built, {} ignored by rule\n", d.counts.built, d.counts.ignored);
@@ -43,15 +43,18 @@ void printText(const CheckReport& r, const UnitSystem& units) {
 
 void printJson(const CheckReport& r, const UnitSystem& units) {
     const auto violation = [&units](const Violation& v) {
-        return nlohmann::ordered_json{{"length", v.length / units.length}, {"angle", v.angle}, {"element", v.element}};
+        return nlohmann::ordered_json{
+            {"length", v.length / units.length}, {"angle", v.angle}, {"element", v.element}};
     };
     nlohmann::ordered_json moved = nlohmann::ordered_json::array();
     for (const MovedPart& part : r.assembled.moved)
-        moved.push_back({{"part", part.id}, {"distance", part.distance / units.length}, {"angle", part.angle}});
+        moved.push_back(
+            {{"part", part.id}, {"distance", part.distance / units.length}, {"angle", part.angle}});
     const Dataset& d = r.dataset;
     const nlohmann::ordered_json json = {
         {"usable", true},
-        {"statements", {{"built", d.counts.built}, {"ignored", d.counts.ignored}, {"errors", d.counts.errors}}},
+        {"statements",
+         {{"built", d.counts.built}, {"ignored", d.counts.ignored}, {"errors", d.counts.errors}}},
         {"parts", d.parts.size()},
         {"markers", d.markers.size()},
         {"jprims", d.jprims.size()},

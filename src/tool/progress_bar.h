@@ -23,7 +23,8 @@ public:
         if (!m_shown || percent == m_percent) return;
         m_percent = percent;
         const int filled = percent * Width / 100;
-        fmt::print(stderr, "\r[{}{}] {:3d} %", std::string(filled, '#'), std::string(Width - filled, ' '), percent);
+        fmt::print(stderr, "\r[{}{}] {:3d} %", std::string(filled, '#'), std::string(Width - filled, ' '),
+                   percent);
         std::fflush(stderr);
     }
 

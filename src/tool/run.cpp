@@ -22,9 +22,10 @@ void printSummary(const Dataset& dataset, const Mechanism& mechanism, const Simu
     fmt::print("worst constraint error   {:.3g} {}, {:.3g} rad{}\n", s.worstViolation.length / units.length,
                getLengthName(dataset), s.worstViolation.angle,
                s.worstViolation.element.empty() ? "" : fmt::format(" (at {})", s.worstViolation.element));
-    fmt::print("energy                   {:.9g} at the start, changed by at most {:.3g}", s.energyAtStart / energy,
-               s.largestEnergyChange / energy);
-    if (s.energyScale > 0) fmt::print(" ({:.2g} of the kinetic energy's range)", s.largestEnergyChange / s.energyScale);
+    fmt::print("energy                   {:.9g} at the start, changed by at most {:.3g}",
+               s.energyAtStart / energy, s.largestEnergyChange / energy);
+    if (s.energyScale > 0)
+        fmt::print(" ({:.2g} of the kinetic energy's range)", s.largestEnergyChange / s.energyScale);
     fmt::print("\nintegration steps        {}\n", s.stepsTaken);
     fmt::print("wall time                {:.3f} s\n", s.wallSeconds);
 }
@@ -42,10 +43,10 @@ std::optional<int> chooseSteps(const RunArguments& arguments) {
 void warnOfEnergyError(const RunArguments& arguments, const SimulationSummary& summary) {
     constexpr double Tolerable = 1e-3;
     if (summary.largestEnergyChange <= Tolerable * summary.energyScale) return;
-    const std::string message =
-        fmt::format("the energy of this conservative mechanism changed by {:.2g} of the range of its kinetic energy; "
-                    "do not trust the results, and try a smaller --accuracy",
-                    summary.largestEnergyChange / summary.energyScale);
+    const std::string message = fmt::format(
+        "the energy of this conservative mechanism changed by {:.2g} of the range of its kinetic energy; "
+        "do not trust the results, and try a smaller --accuracy",
+        summary.largestEnergyChange / summary.energyScale);
     fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
 }
 
@@ -54,7 +55,8 @@ void warnOfEnergyError(const RunArguments& arguments, const SimulationSummary& s
 ExitCode run(const RunArguments& arguments) {
     const std::optional<int> steps = chooseSteps(arguments);
     if (!steps) {
-        fmt::print(stderr, "--end {} is not a multiple of --dtout {}\nRun with --help for more information.\n",
+        fmt::print(stderr,
+                   "--end {} is not a multiple of --dtout {}\nRun with --help for more information.\n",
                    arguments.end, arguments.dtout);
         return WrongUsage;
     }
@@ -80,7 +82,8 @@ ExitCode run(const RunArguments& arguments) {
     }
     if (!arguments.quiet) printSummary(dataset, *mechanism, outcome);
     if (!arguments.quiet && !arguments.out.empty())
-        fmt::print("results                  requests.csv, reactions.csv and parts.csv in {}\n", arguments.out);
+        fmt::print("results                  requests.csv, reactions.csv and parts.csv in {}\n",
+                   arguments.out);
     warnOfEnergyError(arguments, outcome.summary);
     if (outcome.failure.empty()) return Done;
     printError(arguments.model, outcome.failure);

@@ -20,7 +20,9 @@ TEST(Units, AmbiguousOrUnknownNamesAreNotGuessed) {
     EXPECT_FALSE(findUnitSystem("SI"));
 }
 
-TEST(Units, FullNameWinsOverLongerNames) { EXPECT_EQ(findUnit(Quantity::Mass, "SLUG")->name, "SLUG"); }
+TEST(Units, FullNameWinsOverLongerNames) {
+    EXPECT_EQ(findUnit(Quantity::Mass, "SLUG")->name, "SLUG");
+}
 
 // One slug is accelerated by 1 ft/s^2 by one pound-force; one slinch by 1 in/s^2.
 TEST(Units, BritishUnitsAreConsistent) {

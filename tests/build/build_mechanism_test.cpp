@@ -30,14 +30,15 @@ const std::string Preamble =
 
 //-------------------------------------------------------------------------------------------- inertia
 // A box of homogeneous mass has products of inertia about a corner that are all positive integrals; about its
-// centre they vanish. (Any textbook: I_xx = m (b^2 + c^2)/3 at the corner, /12 at the centre; Int(xy dm) = m a b/4.)
+// centre they vanish. (Any textbook: I_xx = m (b^2 + c^2)/3 at the corner, /12 at the centre; Int(xy dm) = m
+// a b/4.)
 TEST(PartInertia, ProductsArePositiveIntegrals) {
     const double m = 3, a = 1, b = 2, c = 4;
     PartMass part;
     part.mass = m;
     part.X_BC = Transform(Vec3(a, b, c) / 2);
     part.ip = {m * (b * b + c * c) / 3, m * (a * a + c * c) / 3, m * (a * a + b * b) / 3,
-               m * a * b / 4, m * a * c / 4, m * b * c / 4};
+               m * a * b / 4,           m * a * c / 4,           m * b * c / 4};
     const Mat33 central = calcCentralInertia(part);
     const Mat33 expected(m * (b * b + c * c) / 12, 0, 0, 0, m * (a * a + c * c) / 12, 0, 0, 0,
                          m * (a * a + b * b) / 12);
@@ -76,22 +77,27 @@ TEST(PartInertia, ReachesTheBody) {
 
 TEST(PartInertia, ImpossibleOnesAreErrorsAtThePart) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(buildFromText("t\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\n"
-                               "  PART/2, MASS=1, CM=20, IP=1,1,5\nMARKER/20\nPART/1,GROUND\nEND\n", diagnostics));
+    EXPECT_FALSE(
+        buildFromText("t\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\n"
+                      "  PART/2, MASS=1, CM=20, IP=1,1,5\nMARKER/20\nPART/1,GROUND\nEND\n",
+                      diagnostics));
     EXPECT_EQ(formatAll(diagnostics),
-              "3:3: error: PART/2: no body can have this IP: its largest principal moment about the mass centre (5) "
+              "3:3: error: PART/2: no body can have this IP: its largest principal moment about the mass "
+              "centre (5) "
               "is larger than the sum of the other two (2); check IP, IM and CM\n");
 }
 
 TEST(PartInertia, MasslessPartsAreBuiltWithAWarning) {
     Diagnostics diagnostics;
-    ASSERT_TRUE(buildFromText("t\nPART/1,GROUND\nPART/2, MASS=4, CM=20, IP=1,1,1\nMARKER/20\n"
-                              "PART/3\nMARKER/30\nPART/4, MASS=2, CM=40\nMARKER/40\nMARKER/41, QP=0.5,0,0\nEND\n",
-                              diagnostics));
-    EXPECT_EQ(formatAll(diagnostics),
-              "5:1: warning: PART/3 has no mass; 2e-07 kg is used so that the equations can be solved\n"
-              "7:1: warning: PART/4 has no inertia about some axis; 5e-08 kg m^2 is used so that the equations can "
-              "be solved\n");
+    ASSERT_TRUE(
+        buildFromText("t\nPART/1,GROUND\nPART/2, MASS=4, CM=20, IP=1,1,1\nMARKER/20\n"
+                      "PART/3\nMARKER/30\nPART/4, MASS=2, CM=40\nMARKER/40\nMARKER/41, QP=0.5,0,0\nEND\n",
+                      diagnostics));
+    EXPECT_EQ(
+        formatAll(diagnostics),
+        "5:1: warning: PART/3 has no mass; 2e-07 kg is used so that the equations can be solved\n"
+        "7:1: warning: PART/4 has no inertia about some axis; 5e-08 kg m^2 is used so that the equations can "
+        "be solved\n");
 }
 
 //-------------------------------------------------------------------------------------- flipped axes
@@ -119,16 +125,20 @@ INSTANTIATE_TEST_SUITE_P(
              "8:1: error: JPRIM/3 ORIENTATION: the axes of I=21 and J=11 are 180 degrees apart and would "
              "assemble flipped; turn one of the markers so that they point the same way\n"},
         Flip{" JOINT/4, REVOLUTE, I=11, J=21",
-             "8:2: error: JOINT/4 REVOLUTE: the z axes of I=11 and J=21 are 180 degrees apart and would assemble "
+             "8:2: error: JOINT/4 REVOLUTE: the z axes of I=11 and J=21 are 180 degrees apart and would "
+             "assemble "
              "flipped; turn one of the markers so that they point the same way\n"},
         Flip{"JOINT/4, CYLINDRICAL, I=11, J=21",
-             "8:1: error: JOINT/4 CYLINDRICAL: the z axes of I=11 and J=21 are 180 degrees apart and would assemble "
+             "8:1: error: JOINT/4 CYLINDRICAL: the z axes of I=11 and J=21 are 180 degrees apart and would "
+             "assemble "
              "flipped; turn one of the markers so that they point the same way\n"},
         Flip{"JOINT/4, PLANAR, I=11, J=21",
-             "8:1: error: JOINT/4 PLANAR: the z axes of I=11 and J=21 are 180 degrees apart and would assemble "
+             "8:1: error: JOINT/4 PLANAR: the z axes of I=11 and J=21 are 180 degrees apart and would "
+             "assemble "
              "flipped; turn one of the markers so that they point the same way\n"},
         Flip{"JOINT/4, TRANSLATIONAL, I=11, J=21",
-             "8:1: error: JOINT/4 TRANSLATIONAL: the axes of I=11 and J=21 are 180 degrees apart and would assemble "
+             "8:1: error: JOINT/4 TRANSLATIONAL: the axes of I=11 and J=21 are 180 degrees apart and would "
+             "assemble "
              "flipped; turn one of the markers so that they point the same way\n"},
         Flip{"JOINT/4, FIXED, I=11, J=21",
              "8:1: error: JOINT/4 FIXED: the axes of I=11 and J=21 are 180 degrees apart and would assemble "
@@ -143,7 +153,8 @@ TEST(FlippedAxes, TheGivenPoseOfThePartCounts) {
         "t\nPART/1,GROUND\nMARKER/10\nPART/2, MASS=1, CM=20, IP=1,1,1, REULER=0,100D,0\nMARKER/20\n"
         "JPRIM/3, PARALLEL_AXES, I=20, J=10\nEND\n";
     EXPECT_FALSE(buildFromText(text, diagnostics));
-    EXPECT_NE(formatAll(diagnostics).find("are 100 degrees apart"), std::string::npos) << formatAll(diagnostics);
+    EXPECT_NE(formatAll(diagnostics).find("are 100 degrees apart"), std::string::npos)
+        << formatAll(diagnostics);
 }
 
 //----------------------------------------------------------------------------------- frames and units
@@ -151,7 +162,8 @@ TEST(BuildMechanism, FramesThatPointsDoNotDefineAreErrors) {
     Diagnostics diagnostics;
     EXPECT_FALSE(buildFromText("t\nPART/1,GROUND\nMARKER/10, ZP=0,0,0\nEND\n", diagnostics));
     EXPECT_EQ(formatAll(diagnostics),
-              "3:1: error: MARKER/10: the point for the z axis lies at the origin of the frame; give another point\n");
+              "3:1: error: MARKER/10: the point for the z axis lies at the origin of the frame; give another "
+              "point\n");
 }
 
 TEST(BuildMechanism, UcfAloneGivesTheForceUnit) {
@@ -162,11 +174,13 @@ TEST(BuildMechanism, UcfAloneGivesTheForceUnit) {
 TEST(BuildMechanism, UcfAgainstTheNamedUnitsIsAWarning) {
     Diagnostics diagnostics;
     const auto mechanism = buildFromText(
-        "t\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND,UCF=1\nPART/1,GROUND\nEND\n", diagnostics);
+        "t\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND,UCF=1\nPART/1,GROUND\nEND\n",
+        diagnostics);
     ASSERT_TRUE(mechanism);
     EXPECT_DOUBLE_EQ(mechanism->getUnits().force, 1);
-    EXPECT_EQ(formatAll(diagnostics),
-              "2:1: warning: UCF=1 does not fit the named units, whose factor is 1000; the named units are used\n");
+    EXPECT_EQ(
+        formatAll(diagnostics),
+        "2:1: warning: UCF=1 does not fit the named units, whose factor is 1000; the named units are used\n");
 }
 
 TEST(BuildMechanism, ADisplacedGroundCarriesItsMarkers) {

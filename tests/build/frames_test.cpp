@@ -80,9 +80,10 @@ TEST(Frame, ImpossiblePointsAreNamed) {
     EXPECT_EQ(problem, "the point for the z axis lies at the origin of the frame; give another point");
     problem.clear();
     makeFrame({{}, {}, Triple{0, 0, 1}, Triple{0, 0, -2}, false}, 1, problem);
-    EXPECT_EQ(problem,
-              "the points for the x and the z axis lie on one line through the origin of the frame; give another "
-              "point");
+    EXPECT_EQ(
+        problem,
+        "the points for the x and the z axis lie on one line through the origin of the frame; give another "
+        "point");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A user's program against the installed package: a pendulum hanging from a hinge, released from horizontal.
-// At the lowest point the hinge carries m g (1 + 2 m l^2 / (I + m l^2)): the weight and the centripetal force.
+// At the lowest point the hinge carries m g (1 + 2 m l^2 / (I + m l^2)): the weight and the centripetal
+// force.
 #include <jprim/jprim.h>
 
 #include <cmath>

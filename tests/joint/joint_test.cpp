@@ -60,7 +60,9 @@ struct Case {
     Rotation R_FJ;
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << c.name;
+}
 
 template <class Mobilizer>
 MobilizedBody addMobilizer(Model& m) {
@@ -107,8 +109,8 @@ protected:
         m_tree.system.realize(m_tree.state, Stage::Acceleration);
         m_joined.base.setQToFitTransform(m_joined.state, m_tree.base.getBodyTransform(m_tree.state));
         m_joined.base.setUToFitVelocity(m_joined.state, m_tree.base.getBodyVelocity(m_tree.state));
-        m_joined.body.setQToFitTransform(m_joined.state,
-                                         m_tree.body.findBodyTransformInAnotherBody(m_tree.state, m_tree.base));
+        m_joined.body.setQToFitTransform(
+            m_joined.state, m_tree.body.findBodyTransformInAnotherBody(m_tree.state, m_tree.base));
         m_joined.system.realize(m_joined.state, Stage::Position);
         m_joined.body.setUToFitVelocity(m_joined.state,
                                         m_tree.body.findBodyVelocityInAnotherBody(m_tree.state, m_tree.base));
@@ -122,7 +124,8 @@ TEST_P(JointAgainstMobilizer, SameAccelerationsAndReactions) {
     for (int seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(seed);
         chooseState(seed);
-        ASSERT_LT(m_joined.state.getQErr().norm(), 1e-12) << "the mobilizer's state does not satisfy the joint";
+        ASSERT_LT(m_joined.state.getQErr().norm(), 1e-12)
+            << "the mobilizer's state does not satisfy the joint";
         ASSERT_LT(m_joined.state.getUErr().norm(), 1e-12);
         const SpatialVec acceleration = m_tree.body.getBodyAcceleration(m_tree.state);
         EXPECT_LT((m_joined.body.getBodyAcceleration(m_joined.state) - acceleration).norm(),
@@ -131,8 +134,10 @@ TEST_P(JointAgainstMobilizer, SameAccelerationsAndReactions) {
         const SpatialVec onI = m_tree.body.findMobilizerReactionOnBodyAtMInGround(m_tree.state);
         const SpatialVec onJ = m_tree.body.findMobilizerReactionOnParentAtFInGround(m_tree.state);
         EXPECT_GT(onI.norm(), 0.1);
-        EXPECT_LT((getJoint().calcReactionOnI(m_joined.state) - onI).norm(), ReactionTolerance * (1 + onI.norm()));
-        EXPECT_LT((getJoint().calcReactionOnJ(m_joined.state) - onJ).norm(), ReactionTolerance * (1 + onJ.norm()));
+        EXPECT_LT((getJoint().calcReactionOnI(m_joined.state) - onI).norm(),
+                  ReactionTolerance * (1 + onI.norm()));
+        EXPECT_LT((getJoint().calcReactionOnJ(m_joined.state) - onJ).norm(),
+                  ReactionTolerance * (1 + onJ.norm()));
     }
 }
 
@@ -201,9 +206,10 @@ TEST(Joint, AdamsFunctionAndAxes) {
         joint.JOINT(m.state, 0, 0);
         ADD_FAILURE();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(),
-                     "JOINT/7 REVOLUTE: component 0 of a reaction does not exist; use 1 to 8 for FM FX FY FZ TM TX "
-                     "TY TZ");
+        EXPECT_STREQ(
+            error.what(),
+            "JOINT/7 REVOLUTE: component 0 of a reaction does not exist; use 1 to 8 for FM FX FY FZ TM TX "
+            "TY TZ");
     }
 }
 

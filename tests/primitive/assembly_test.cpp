@@ -66,8 +66,12 @@ void assembleFromManyStarts(TwoBodies& model, Measure calcAngle) {
     EXPECT_EQ(failed, 0);
 }
 
-Real calcAngleOfRotation(const Rotation& R) { return std::abs(R.convertRotationToAngleAxis()[0]); }
-Real calcAngleOfZAxes(const Rotation& R) { return std::acos(std::min(Real(1), R.z()[2])); }
+Real calcAngleOfRotation(const Rotation& R) {
+    return std::abs(R.convertRotationToAngleAxis()[0]);
+}
+Real calcAngleOfZAxes(const Rotation& R) {
+    return std::acos(std::min(Real(1), R.z()[2]));
+}
 
 TEST(Assembly, OrientationNeverFlips) {
     TwoBodies model;
@@ -128,8 +132,12 @@ void expectFiniteAtHalfTurn(const Rotation& halfTurn) {
     EXPECT_TRUE(primitive.calcReactionOnI(state).isFinite());
 }
 
-TEST_P(ExactlyFlipped, OrientationHasNoNaN) { expectFiniteAtHalfTurn<Orientation>(makeHalfTurn()); }
-TEST_P(ExactlyFlipped, ParallelAxesHasNoNaN) { expectFiniteAtHalfTurn<ParallelAxes>(makeHalfTurn()); }
+TEST_P(ExactlyFlipped, OrientationHasNoNaN) {
+    expectFiniteAtHalfTurn<Orientation>(makeHalfTurn());
+}
+TEST_P(ExactlyFlipped, ParallelAxesHasNoNaN) {
+    expectFiniteAtHalfTurn<ParallelAxes>(makeHalfTurn());
+}
 
 TEST_P(ExactlyFlipped, SizeOfTheErrorIsTwo) {
     TwoBodies model;

@@ -33,7 +33,9 @@ struct Member {
     AddConstraint add;
 };
 
-std::ostream& operator<<(std::ostream& out, const Member& member) { return out << member.name; }
+std::ostream& operator<<(std::ostream& out, const Member& member) {
+    return out << member.name;
+}
 
 Marker makeMarkerI(const MobilizedBody& body) {
     return Marker(body, Transform(Rotation(0.7, Vec3(1, -2, 0.5)), Vec3(0.4, -0.1, 0.25)));
@@ -67,7 +69,9 @@ TEST_P(PrimitiveConformance, HoldsOffTheManifold) {
 }
 
 const char* getTreeName(Tree tree) {
-    return tree == Tree::AncestorMoves ? "AncestorMoves" : tree == Tree::IOnGround ? "IOnGround" : "JOnGround";
+    return tree == Tree::AncestorMoves ? "AncestorMoves"
+           : tree == Tree::IOnGround   ? "IOnGround"
+                                       : "JOnGround";
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a primitive offers besides its equations: reactions, markers in the State, names, geometry, errors.
-#include "jprim/primitive/primitives.h"
-
 #include <gtest/gtest.h>
 
 #include "jprim/base/error.h"
+#include "jprim/primitive/primitives.h"
 #include "support/conformance.h"
 
 namespace jprim {
@@ -46,8 +45,8 @@ struct Violated {
         Random::Uniform random(-1, 1);
         random.setSeed(seed);
         for (MobilizedBody* b : std::initializer_list<MobilizedBody*>{&base, &first, &second})
-            b->setQToFitTransform(state, Transform(testing::makeRandomRotation(random),
-                                                   testing::makeRandomVec3(random)));
+            b->setQToFitTransform(
+                state, Transform(testing::makeRandomRotation(random), testing::makeRandomVec3(random)));
         for (int u = 0; u < state.getNU(); ++u) state.updU()[u] = random.getValue();
         system.realize(state, Stage::Acceleration);
     }
@@ -90,7 +89,8 @@ TYPED_TEST(EachPrimitive, ReactionOnJCarriesTheLever) {
     Violated model;
     const TypeParam primitive(model.I, model.J);
     model.start(8);
-    const SpatialVec onI = primitive.calcReactionOnI(model.state), onJ = primitive.calcReactionOnJ(model.state);
+    const SpatialVec onI = primitive.calcReactionOnI(model.state),
+                     onJ = primitive.calcReactionOnJ(model.state);
     const Vec3 r = model.I.findPoseInGround(model.state).p() - model.J.findPoseInGround(model.state).p();
     EXPECT_LT((onJ[1] + onI[1]).norm(), Rounding);
     EXPECT_LT((onJ[0] + onI[0] + r % onI[1]).norm(), Rounding);
@@ -102,12 +102,18 @@ TYPED_TEST(EachPrimitive, ReactionsInTheAxesOfAnyMarker) {
     const TypeParam primitive(model.I, model.J);
     model.start(9);
     const Rotation R = model.other.findPoseInGround(model.state).R();
-    EXPECT_LT((R * primitive.calcReactionOnI(model.state, model.other) - primitive.calcReactionOnI(model.state)).norm(),
-              Rounding);
-    EXPECT_LT((R * primitive.calcReactionOnJ(model.state, model.other) - primitive.calcReactionOnJ(model.state)).norm(),
-              Rounding);
+    EXPECT_LT(
+        (R * primitive.calcReactionOnI(model.state, model.other) - primitive.calcReactionOnI(model.state))
+            .norm(),
+        Rounding);
+    EXPECT_LT(
+        (R * primitive.calcReactionOnJ(model.state, model.other) - primitive.calcReactionOnJ(model.state))
+            .norm(),
+        Rounding);
     EXPECT_LT((R * primitive.calcReactionOnJAtI(model.state, model.other) -
-               primitive.calcReactionOnJAtI(model.state)).norm(), Rounding);
+               primitive.calcReactionOnJAtI(model.state))
+                  .norm(),
+              Rounding);
 }
 
 TYPED_TEST(EachPrimitive, AdamsFunctionPicksTheComponent) {
@@ -153,8 +159,9 @@ TYPED_TEST(EachPrimitive, MarkersCanBeMovedInAState) {
 
     EXPECT_EQ((moved.state.getQErr() - built.state.getQErr()).norm(), 0);
     EXPECT_EQ((moved.state.getUErr() - built.state.getUErr()).norm(), 0);
-    EXPECT_LT((movedPrimitive.calcReactionOnJ(moved.state) - builtPrimitive.calcReactionOnJ(built.state)).norm(),
-              Rounding);
+    EXPECT_LT(
+        (movedPrimitive.calcReactionOnJ(moved.state) - builtPrimitive.calcReactionOnJ(built.state)).norm(),
+        Rounding);
     EXPECT_EQ(movedPrimitive.getMarkerI(moved.state).getPose().p(), X_BI.p());
     EXPECT_EQ(movedPrimitive.getDefaultMarkerI().getPose().p(), moved.I.getPose().p());
 }
@@ -227,9 +234,10 @@ TEST(PrimitiveErrors, AdamsFunctionChecksItsArguments) {
     model.start(3);
     expectError([&] { primitive.JPRIM(model.state, 2, 1); },
                 "JPRIM/9 INPLANE: jflag 2 does not exist; use 0 for the load on I, 1 for the load on J");
-    expectError([&] { primitive.JPRIM(model.state, 0, 9); },
-                "JPRIM/9 INPLANE: component 9 of a reaction does not exist; use 1 to 8 for FM FX FY FZ TM TX TY "
-                "TZ");
+    expectError(
+        [&] { primitive.JPRIM(model.state, 0, 9); },
+        "JPRIM/9 INPLANE: component 9 of a reaction does not exist; use 1 to 8 for FM FX FY FZ TM TX TY "
+        "TZ");
 }
 
 // A refused primitive leaves nothing behind in the system.

@@ -82,16 +82,17 @@ struct Case {
     double positionFloor = 0, forceFloor = 0, torqueFloor = 1e-12;
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << c.name;
+}
 
-const Case Cases[] = {
-    {"Revolute_Case01", {"JPRIM/1", "JPRIM/2"}},
-    {"Spherical_Case02", {"JPRIM/1"}},
-    {"Cylindrical_Case01", {"JPRIM/1", "JPRIM/2"}, 1e-5, 1e-4, 0, 1e-12},
-    {"Cylindrical_Case02", {"JPRIM/1", "JPRIM/2"}},
-    {"Prismatic_Case01", {"JPRIM/1", "JPRIM/2"}, 1e-5, 1e-4, 0, 1e-12},
-    {"Prismatic_Case02", {"JPRIM/1", "JPRIM/2"}},
-    {"Universal_Case01", {"JPRIM/1", "JPRIM/2"}, 1e-5, 1e-4, 3e-4, 4e-3}};
+const Case Cases[] = {{"Revolute_Case01", {"JPRIM/1", "JPRIM/2"}},
+                      {"Spherical_Case02", {"JPRIM/1"}},
+                      {"Cylindrical_Case01", {"JPRIM/1", "JPRIM/2"}, 1e-5, 1e-4, 0, 1e-12},
+                      {"Cylindrical_Case02", {"JPRIM/1", "JPRIM/2"}},
+                      {"Prismatic_Case01", {"JPRIM/1", "JPRIM/2"}, 1e-5, 1e-4, 0, 1e-12},
+                      {"Prismatic_Case02", {"JPRIM/1", "JPRIM/2"}},
+                      {"Universal_Case01", {"JPRIM/1", "JPRIM/2"}, 1e-5, 1e-4, 3e-4, 4e-3}};
 
 class Adams : public ::testing::TestWithParam<std::tuple<Case, bool>> {};
 
@@ -149,11 +150,11 @@ class RevSpherical : public ::testing::TestWithParam<bool> {};
 TEST_P(RevSpherical, ReactionsOnBothBodiesAndTheLever) {
     const bool asJprims = GetParam();
     const Table reference = readReference("RevSpherical_Case01");
-    const Mechanism mechanism = testing::buildFileOrFail(testing::getDataFolder() + "adams/RevSpherical_Case01" +
-                                                         (asJprims ? "_jprim.adm" : "_joint.adm"));
+    const Mechanism mechanism = testing::buildFileOrFail(
+        testing::getDataFolder() + "adams/RevSpherical_Case01" + (asJprims ? "_jprim.adm" : "_joint.adm"));
     const Results results = testing::run(mechanism, 5, 100, Accuracy).results;
-    const std::vector<std::string> hinge = asJprims ? std::vector<std::string>{"JPRIM/1", "JPRIM/2"}
-                                                    : std::vector<std::string>{"JOINT/1"};
+    const std::vector<std::string> hinge =
+        asJprims ? std::vector<std::string>{"JPRIM/1", "JPRIM/2"} : std::vector<std::string>{"JOINT/1"};
     const std::string ball = asJprims ? "JPRIM/3" : "JOINT/2";
     const auto onGround = [&](const char* component) {
         std::vector<std::string> prefixes;

@@ -27,21 +27,28 @@ SpatialVec getVelocity(const AssembledState& assembled, const MechanismPart& par
 // A rod of length 1 hinged at both ends to a second one; the given ends are apart by (0.1, 0.06, 0).
 std::string makeTwoRods(const std::string& argumentsOf2, const std::string& argumentsOf3) {
     return "two rods\nPART/1, GROUND\nMARKER/10\n"
-           "PART/2, MASS=1, CM=20, IP=0.1,0.1,0.01" + argumentsOf2 + "\n"
+           "PART/2, MASS=1, CM=20, IP=0.1,0.1,0.01" +
+           argumentsOf2 +
+           "\n"
            "MARKER/20, QP=0.5,0,0\nMARKER/21\nMARKER/22, QP=1,0,0\n"
-           "PART/3, MASS=1, CM=30, IP=0.1,0.1,0.01, QG=1.1,0.06,0" + argumentsOf3 + "\n"
+           "PART/3, MASS=1, CM=30, IP=0.1,0.1,0.01, QG=1.1,0.06,0" +
+           argumentsOf3 +
+           "\n"
            "MARKER/30, QP=0.5,0,0\nMARKER/31\n"
            "JPRIM/1, ATPOINT, I=21, J=10\nJPRIM/2, ATPOINT, I=31, J=22\nEND\n";
 }
 
 TEST(Assemble, GivenPositionsThatFitAreNotTouched) {
     const Mechanism mechanism = buildOrFail(
-        "t\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1,REULER=0.3,0.2,0.1\nMARKER/20,QP=1,2,3\nMARKER/21\n"
+        "t\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1,REULER=0.3,0.2,0.1\nMARKER/"
+        "20,QP=1,2,3\nMARKER/21\n"
         "JOINT/1,SPHERICAL,I=21,J=10\nEND\n");
     const AssembledState assembled = assemble(mechanism);
     EXPECT_TRUE(assembled.moved.empty());
     EXPECT_LT((getPose(assembled, mechanism.getParts()[1]).R().asMat33() -
-               makeRotation313(Vec3(0.3, 0.2, 0.1)).asMat33()).norm(), 1e-15);
+               makeRotation313(Vec3(0.3, 0.2, 0.1)).asMat33())
+                  .norm(),
+              1e-15);
 }
 
 TEST(Assemble, MovesAsLittleAsNeeded) {
@@ -80,7 +87,8 @@ TEST(Assemble, APartThatIsAllExactDoesNotMoveAtAll) {
 
 TEST(Assemble, FailureNamesTheElementAndWhatIsLeft) {
     const Mechanism mechanism = buildOrFail(
-        "t\nPART/1,GROUND\nMARKER/10\nMARKER/11,QP=3,0,0\nPART/2,MASS=1,CM=20,IP=1,1,1\nMARKER/20\nMARKER/21,QP=1,0,0\n"
+        "t\nPART/1,GROUND\nMARKER/10\nMARKER/11,QP=3,0,0\nPART/2,MASS=1,CM=20,IP=1,1,1\nMARKER/20\nMARKER/"
+        "21,QP=1,0,0\n"
         "JPRIM/1,ATPOINT,I=20,J=10\nJPRIM/2,ATPOINT,I=21,J=11\nEND\n");
     try {
         assemble(mechanism);
@@ -88,7 +96,8 @@ TEST(Assemble, FailureNamesTheElementAndWhatIsLeft) {
     } catch (const Error& error) {
         const std::string text = error.what();
         EXPECT_EQ(text.find("JPRIM/"), 0u) << text;
-        EXPECT_NE(text.find("the parts cannot be assembled from their given positions; an error of"), std::string::npos)
+        EXPECT_NE(text.find("the parts cannot be assembled from their given positions; an error of"),
+                  std::string::npos)
             << text;
     }
 }
@@ -97,12 +106,14 @@ TEST(Assemble, FailureNamesTheElementAndWhatIsLeft) {
 // A rod pinned at its end by ATPOINT, turning about its own z by 0.5 rad/s; its mass centre is 0.5 away.
 std::string makePinnedRod(const std::string& velocity) {
     return "t\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.1,0.1,0.01," + velocity +
-           "\nMARKER/20,QP=0.5,0,0,REULER=0,0.4,0\nMARKER/21\nMARKER/22,REULER=0.2,0.3,0.4\nJPRIM/1,ATPOINT,I=21,J=10\nEND\n";
+           "\nMARKER/20,QP=0.5,0,0,REULER=0,0.4,0\nMARKER/21\nMARKER/22,REULER=0.2,0.3,0.4\nJPRIM/"
+           "1,ATPOINT,I=21,J=10\nEND\n";
 }
 
 TEST(InitialVelocities, UnsetOnesFollow) {
     const Mechanism mechanism = buildOrFail(
-        "t\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.1,0.1,0.01,WZ=0.5\nMARKER/20,QP=0.5,0,0\nMARKER/21\n"
+        "t\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.1,0.1,0.01,WZ=0.5\nMARKER/"
+        "20,QP=0.5,0,0\nMARKER/21\n"
         "JPRIM/1,ATPOINT,I=21,J=10\nEND\n");
     const SpatialVec V = getVelocity(assemble(mechanism), mechanism.getParts()[1]);
     EXPECT_LT((V[0] - Vec3(0, 0, 0.5)).norm(), 1e-12);
@@ -112,7 +123,8 @@ TEST(InitialVelocities, UnsetOnesFollow) {
 // Asking for rest and for rotation at once: both are met as nearly as can be, neither wholly.
 TEST(InitialVelocities, ZeroIsNotTheSameAsUnset) {
     const Mechanism mechanism = buildOrFail(
-        "t\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.1,0.1,0.01,WZ=0.5,VY=0\nMARKER/20,QP=0.5,0,0\nMARKER/21\n"
+        "t\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.1,0.1,0.01,WZ=0.5,VY=0\nMARKER/"
+        "20,QP=0.5,0,0\nMARKER/21\n"
         "JPRIM/1,ATPOINT,I=21,J=10\nEND\n");
     // Minimize (s w - s 0.5)^2 + (0.5 w)^2 with the part's size s = 0.5: w = 0.25.
     const SpatialVec V = getVelocity(assemble(mechanism), mechanism.getParts()[1]);
@@ -130,7 +142,8 @@ TEST(InitialVelocities, AreGivenInTheAxesOfVmAndWm) {
     EXPECT_LT((getVelocity(assemble(byCm), byCm.getParts()[1])[0] - wByCm).norm(), 1e-12);
 
     const Mechanism free = buildOrFail(
-        "t\nPART/1,GROUND\nPART/2,MASS=2,CM=20,IP=1,1,1,VX=1,VY=2,VZ=3,VM=20\nMARKER/20,REULER=0.2,0.3,0.4\nEND\n");
+        "t\nPART/1,GROUND\nPART/2,MASS=2,CM=20,IP=1,1,1,VX=1,VY=2,VZ=3,VM=20\nMARKER/"
+        "20,REULER=0.2,0.3,0.4\nEND\n");
     EXPECT_LT((getVelocity(assemble(free), free.getParts()[1])[1] - w).norm(), 1e-12);
 }
 

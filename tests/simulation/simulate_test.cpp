@@ -25,20 +25,23 @@ double findLargest(const std::vector<double>& values) {
 // A bead on a straight wire that is part of a swinging frame, with products of inertia, initial velocities
 // and every kind of request, written in any units: L, M, T are what 1 m, 1 kg and 1 s are in them.
 std::string makeBeadOnSwing(const std::string& units, double L, double M, double T) {
-    const auto point = [L](double x, double y, double z) { return fmt::format("{},{},{}", x * L, y * L, z * L); };
+    const auto point = [L](double x, double y, double z) {
+        return fmt::format("{},{},{}", x * L, y * L, z * L);
+    };
     const double I = M * L * L;
     return fmt::format("bead on a swing\n{}\nACCGRAV/JGRAV={}\n", units, -9.81 * L / (T * T)) +
            "PART/1,GROUND\nMARKER/10,QP=" + point(0.3, 1, 0.2) +
-           fmt::format("\nPART/2,QG={},MASS={},CM=20,IP={},{},{},{},{},{},WZ={}\n", point(0.3, 1, 0.2), 2 * M, 0.2 * I,
-                       0.3 * I, 0.25 * I, 0.01 * I, -0.02 * I, 0.015 * I, 0.7 / T) +
-           "MARKER/20,QP=" + point(0.1, -0.4, 0.05) + "\nMARKER/21\nMARKER/22,REULER=80D,75D,10D,QP=" +
-           point(0.1, -0.5, 0) +
-           fmt::format("\nPART/3,QG={},REULER=80D,75D,10D,MASS={},CM=30,IP={},{},{},VX={}\n", point(0.4, 0.5, 0.2), 0.5 * M,
-                       0.01 * I, 0.02 * I, 0.015 * I, 0.2 * L / T) +
+           fmt::format("\nPART/2,QG={},MASS={},CM=20,IP={},{},{},{},{},{},WZ={}\n", point(0.3, 1, 0.2), 2 * M,
+                       0.2 * I, 0.3 * I, 0.25 * I, 0.01 * I, -0.02 * I, 0.015 * I, 0.7 / T) +
+           "MARKER/20,QP=" + point(0.1, -0.4, 0.05) +
+           "\nMARKER/21\nMARKER/22,REULER=80D,75D,10D,QP=" + point(0.1, -0.5, 0) +
+           fmt::format("\nPART/3,QG={},REULER=80D,75D,10D,MASS={},CM=30,IP={},{},{},VX={}\n",
+                       point(0.4, 0.5, 0.2), 0.5 * M, 0.01 * I, 0.02 * I, 0.015 * I, 0.2 * L / T) +
            "MARKER/30\nMARKER/31\n"
            "JOINT/1,REVOLUTE,I=21,J=10\nJPRIM/2,INLINE,I=31,J=22\nJPRIM/3,PARALLEL_AXES,I=31,J=22\n"
            "REQUEST/1,DISPLACEMENT,I=30,J=10,RM=22\nREQUEST/2,VELOCITY,I=30,J=22,RM=22\n"
-           "REQUEST/3,ACCELERATION,I=30,J=10\nREQUEST/4,FORCE,I=31,J=22,RM=22\nREQUEST/5,FORCE,I=10,J=21\nEND\n";
+           "REQUEST/3,ACCELERATION,I=30,J=10\nREQUEST/4,FORCE,I=31,J=22,RM=22\nREQUEST/"
+           "5,FORCE,I=10,J=21\nEND\n";
 }
 
 // Millimetre, kilogram, newton, second is Adams' default. Conversion to SI and back is rounding.
@@ -50,23 +53,41 @@ TEST(Units, MillimetresAndMetresGiveTheSamePhysics) {
         makeBeadOnSwing("UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND", 1000, 1, 1));
     const Results m = testing::run(inM, 1, 20, 1e-8).results;
     const Results mm = testing::run(inMm, 1, 20, 1e-8).results;
-    const std::vector<std::string> lengths = {".X", ".Y", ".Z", ".MAG", ".VX", ".VY", ".VZ", ".VM", ".ACCX", ".ACCY",
-                                              ".ACCZ", ".ACCM", ".TX", ".TY", ".TZ", ".TM", "energy.kinetic",
-                                              "energy.potential", "energy.total"};
+    const std::vector<std::string> lengths = {".X",
+                                              ".Y",
+                                              ".Z",
+                                              ".MAG",
+                                              ".VX",
+                                              ".VY",
+                                              ".VZ",
+                                              ".VM",
+                                              ".ACCX",
+                                              ".ACCY",
+                                              ".ACCZ",
+                                              ".ACCM",
+                                              ".TX",
+                                              ".TY",
+                                              ".TZ",
+                                              ".TM",
+                                              "energy.kinetic",
+                                              "energy.potential",
+                                              "energy.total"};
     const auto isLength = [&lengths](const std::string& name) {
         return std::any_of(lengths.begin(), lengths.end(), [&name](const std::string& end) {
             return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
         });
     };
     int compared = 0;
-    for (const auto& [tableM, tableMm] : {std::pair(&m.requests, &mm.requests), std::pair(&m.reactions, &mm.reactions),
-                                          std::pair(&m.parts, &mm.parts)}) {
+    for (const auto& [tableM, tableMm] :
+         {std::pair(&m.requests, &mm.requests), std::pair(&m.reactions, &mm.reactions),
+          std::pair(&m.parts, &mm.parts)}) {
         ASSERT_EQ(tableM->columns, tableMm->columns);
         for (const std::string& name : tableM->columns) {
             const std::vector<double> a = tableM->getColumn(name), b = tableMm->getColumn(name);
             const double factor = isLength(name) ? 1e-3 : 1;
             for (size_t row = 0; row < a.size(); ++row)
-                ASSERT_NEAR(a[row], factor * b[row], UnitTolerance * (1e-3 + findLargest(a))) << name << " row " << row;
+                ASSERT_NEAR(a[row], factor * b[row], UnitTolerance * (1e-3 + findLargest(a)))
+                    << name << " row " << row;
             ++compared;
         }
     }
@@ -77,15 +98,18 @@ TEST(Units, MillimetresAndMetresGiveTheSamePhysics) {
 TEST(Units, TimeAndForceUnitsAreConverted) {
     const double ft = 1 / 0.3048, lb = 1 / 0.45359237, lbf = 1 / 4.4482216152605, minute = 1. / 60;
     const Mechanism inM = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
-    const Mechanism inFt = buildOrFail(makeBeadOnSwing(
-        "UNITS/FORCE=POUND_FORCE,MASS=POUND_MASS,LENGTH=FOOT,TIME=MINUTE", ft, lb, minute));
+    const Mechanism inFt = buildOrFail(
+        makeBeadOnSwing("UNITS/FORCE=POUND_FORCE,MASS=POUND_MASS,LENGTH=FOOT,TIME=MINUTE", ft, lb, minute));
     const Results m = testing::run(inM, 1, 10, 1e-8).results;
     const Results feet = testing::run(inFt, minute, 10, 1e-8).results;
     EXPECT_NEAR(feet.parts.getColumn("time").back(), minute, 1e-15);
     EXPECT_NEAR(feet.parts.getColumn("PART/3.X").back() / ft, m.parts.getColumn("PART/3.X").back(), 1e-9);
-    EXPECT_NEAR(feet.parts.getColumn("PART/3.VX").back() / ft * minute, m.parts.getColumn("PART/3.VX").back(), 1e-9);
-    EXPECT_NEAR(feet.reactions.getColumn("JPRIM/2.I.FX").back() / lbf, m.reactions.getColumn("JPRIM/2.I.FX").back(), 1e-7);
-    EXPECT_NEAR(feet.parts.getColumn("energy.total").back() / (ft * lbf), m.parts.getColumn("energy.total").back(), 1e-8);
+    EXPECT_NEAR(feet.parts.getColumn("PART/3.VX").back() / ft * minute, m.parts.getColumn("PART/3.VX").back(),
+                1e-9);
+    EXPECT_NEAR(feet.reactions.getColumn("JPRIM/2.I.FX").back() / lbf,
+                m.reactions.getColumn("JPRIM/2.I.FX").back(), 1e-7);
+    EXPECT_NEAR(feet.parts.getColumn("energy.total").back() / (ft * lbf),
+                m.parts.getColumn("energy.total").back(), 1e-8);
 }
 
 //---------------------------------------------------------------------------------- a known mechanism
@@ -109,7 +133,8 @@ TEST(Simulate, DocumentationExampleSlides) {
 TEST(Simulate, ForceRequestsLookFromTheirOwnMarker) {
     const Mechanism mechanism = buildOrFail(
         "t\nACCGRAV/KGRAV=-10\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=1,1,1\nMARKER/20\n"
-        "JOINT/1,FIXED,I=10,J=20\nREQUEST/1,FORCE,I=10,J=20\nREQUEST/2,FORCE,I=20,J=10\nREQUEST/3,FORCE,I=20\nEND\n");
+        "JOINT/1,FIXED,I=10,J=20\nREQUEST/1,FORCE,I=10,J=20\nREQUEST/2,FORCE,I=20,J=10\nREQUEST/"
+        "3,FORCE,I=20\nEND\n");
     const Table requests = testing::run(mechanism, 1, 1, 1e-6).results.requests;
     EXPECT_NEAR(requests.getColumn("R1.FZ").back(), -20, 1e-9);
     EXPECT_NEAR(requests.getColumn("R2.FZ").back(), 20, 1e-9);
@@ -120,16 +145,19 @@ TEST(Simulate, ColumnsAreNamedAsPromised) {
     const Mechanism mechanism = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
     const Results results = testing::run(mechanism, 0.1, 1, 1e-6).results;
     const std::string requests = fmt::format("{}", fmt::join(results.requests.columns, " "));
-    EXPECT_EQ(requests,
-              "time R1.MAG R1.X R1.Y R1.Z R1.PSI R1.THETA R1.PHI R2.VM R2.VX R2.VY R2.VZ R2.WM R2.WX R2.WY R2.WZ "
-              "R3.ACCM R3.ACCX R3.ACCY R3.ACCZ R3.WDTM R3.WDTX R3.WDTY R3.WDTZ "
-              "R4.FM R4.FX R4.FY R4.FZ R4.TM R4.TX R4.TY R4.TZ R5.FM R5.FX R5.FY R5.FZ R5.TM R5.TX R5.TY R5.TZ");
+    EXPECT_EQ(
+        requests,
+        "time R1.MAG R1.X R1.Y R1.Z R1.PSI R1.THETA R1.PHI R2.VM R2.VX R2.VY R2.VZ R2.WM R2.WX R2.WY R2.WZ "
+        "R3.ACCM R3.ACCX R3.ACCY R3.ACCZ R3.WDTM R3.WDTX R3.WDTY R3.WDTZ "
+        "R4.FM R4.FX R4.FY R4.FZ R4.TM R4.TX R4.TY R4.TZ R5.FM R5.FX R5.FY R5.FZ R5.TM R5.TX R5.TY R5.TZ");
     const std::string reactions = fmt::format("{}", fmt::join(results.reactions.columns, " "));
-    EXPECT_EQ(reactions.substr(0, 70), "time JPRIM/2.I.FX JPRIM/2.I.FY JPRIM/2.I.FZ JPRIM/2.I.TX JPRIM/2.I.TY ");
+    EXPECT_EQ(reactions.substr(0, 70),
+              "time JPRIM/2.I.FX JPRIM/2.I.FY JPRIM/2.I.FZ JPRIM/2.I.TX JPRIM/2.I.TY ");
     EXPECT_EQ(results.reactions.columns.size(), 1u + 3 * 12);
     const std::string parts = fmt::format("{}", fmt::join(results.parts.columns, " "));
     EXPECT_EQ(parts.substr(0, 121),
-              "time PART/2.X PART/2.Y PART/2.Z PART/2.E0 PART/2.E1 PART/2.E2 PART/2.E3 PART/2.VX PART/2.VY PART/2.VZ "
+              "time PART/2.X PART/2.Y PART/2.Z PART/2.E0 PART/2.E1 PART/2.E2 PART/2.E3 PART/2.VX PART/2.VY "
+              "PART/2.VZ "
               "PART/2.WX PART/2.WY");
     EXPECT_EQ(parts.substr(parts.size() - 45), " energy.kinetic energy.potential energy.total");
 }
@@ -164,6 +192,36 @@ TEST(Simulate, EveryIntegratorAgrees) {
         EXPECT_EQ(outcome.failure, "") << name;
         EXPECT_NEAR(outcome.results.parts.getColumn("PART/3.X").back(), exact, 5e-3) << name;
     }
+}
+
+TEST(Simulate, FailureNamesTheTimeAndKeepsTheResultsSoFar) {
+    const Mechanism mechanism = buildOrFail(
+        makeBeadOnSwing("UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=METER,TIME=MILLISECOND", 1, 1, 1000));
+    SimulationOptions options;
+    options.end = 1000;  // ms
+    options.steps = 10;
+    options.reportProgress = [](double fraction) {
+        if (fraction > 0.45) throw std::runtime_error("stopped\nhere");
+    };
+    const SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
+    EXPECT_EQ(outcome.failure.find(
+                  "at time 500: the simulation cannot go on; the largest constraint error is at J"),
+              0u)
+        << outcome.failure;
+    EXPECT_EQ(outcome.failure.substr(outcome.failure.size() - 14), ": stopped here");
+    EXPECT_EQ(outcome.results.parts.getNumRows(), 6u);
+    EXPECT_EQ(outcome.results.parts.getColumn("time").back(), 500);
+}
+
+TEST(Simulate, AccelerationsThatAreNotFiniteAreAFailure) {
+    const Mechanism mechanism = buildOrFail(
+        "t\nACCGRAV/KGRAV=-1E300\nPART/1,GROUND\nMARKER/10\nPART/2,QG=-1,0,0,MASS=1,CM=20,IP=1,1,1\nMARKER/"
+        "20\n"
+        "MARKER/21,QP=1,0,0\nJPRIM/5,ATPOINT,I=21,J=10\nEND\n");
+    SimulationOptions options;
+    options.end = 1;
+    EXPECT_EQ(simulate(mechanism, assemble(mechanism), options).failure,
+              "at time 0: the simulation cannot go on: accelerations are not finite");
 }
 
 void expectOptionError(const SimulationOptions& options, const std::string& text) {

@@ -106,7 +106,7 @@ private:
 
     void comparePower(Random& random, Conformance& result) {
         Matrix G, Gt;
-        m_matter.calcG(m_state, G);         // from the errors
+        m_matter.calcG(m_state, G);            // from the errors
         m_matter.calcGTranspose(m_state, Gt);  // from the forces
         result.equations = G.nrow();
         result.powerError = (G - ~Gt).norm() / G.norm();

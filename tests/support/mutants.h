@@ -30,9 +30,13 @@ class MutantInLine : public SimTK::Constraint::Custom::Implementation {
 
 public:
     MutantInLine(Defect defect, const Marker& I, const Marker& J)
-        : Implementation(const_cast<SimTK::SimbodyMatterSubsystem&>(I.getBody().getMatterSubsystem()), 2, 0, 0),
-          m_defect(defect), m_X_BI(I.getPose()), m_X_BJ(J.getPose()),
-          m_I(addConstrainedBody(I.getBody())), m_J(addConstrainedBody(J.getBody())) {}
+        : Implementation(const_cast<SimTK::SimbodyMatterSubsystem&>(I.getBody().getMatterSubsystem()), 2, 0,
+                         0),
+          m_defect(defect),
+          m_X_BI(I.getPose()),
+          m_X_BJ(J.getPose()),
+          m_I(addConstrainedBody(I.getBody())),
+          m_J(addConstrainedBody(J.getBody())) {}
 
     Implementation* clone() const override { return new MutantInLine(*this); }
 
@@ -46,7 +50,8 @@ public:
                                Array<Real>& e) const override {
         const Transform X_AJ = getBodyTransformFromState(s, m_J) * m_X_BJ;
         const Vec3 r = calcR(s);
-        const Vec3 v = findStationVelocity(s, V, m_I, m_X_BI.p()) - findStationVelocity(s, V, m_J, m_X_BJ.p());
+        const Vec3 v =
+            findStationVelocity(s, V, m_I, m_X_BI.p()) - findStationVelocity(s, V, m_J, m_X_BJ.p());
         const Vec3 turning = m_defect == Defect::RateOmitsRotationOfJ ? Vec3(0) : Vec3(V[m_J][0] % r);
         put(~X_AJ.R() * (v - turning), e);
     }
@@ -56,8 +61,8 @@ public:
         const Transform X_AJ = getBodyTransformFromState(s, m_J) * m_X_BJ;
         const Vec3 r = calcR(s);
         const Vec3 w = getBodyAngularVelocityFromState(s, m_J);
-        const Vec3 v =
-            findStationVelocityFromState(s, m_I, m_X_BI.p()) - findStationVelocityFromState(s, m_J, m_X_BJ.p());
+        const Vec3 v = findStationVelocityFromState(s, m_I, m_X_BI.p()) -
+                       findStationVelocityFromState(s, m_J, m_X_BJ.p());
         const Vec3 a =
             findStationAcceleration(s, A, m_I, m_X_BI.p()) - findStationAcceleration(s, A, m_J, m_X_BJ.p());
         const Real coriolis = m_defect == Defect::AccelerationOmitsCoriolis ? 0 : 2;

@@ -11,7 +11,9 @@
 namespace jprim::testing {
 
 /// The folder with the tests' datasets and reference figures.
-inline std::string getDataFolder() { return std::string(JPRIM_SOURCE_DIR) + "/tests/data/"; }
+inline std::string getDataFolder() {
+    return std::string(JPRIM_SOURCE_DIR) + "/tests/data/";
+}
 
 /// The diagnostics as lines of text: "12:3: error: message".
 inline std::string formatAll(const Diagnostics& diagnostics) {

@@ -46,7 +46,8 @@ protected:
     Outcome run(const std::string& arguments) const {
         Outcome result;
         const std::string out = (m_folder / "out").string(), err = (m_folder / "err").string();
-        const int status = std::system((std::string(JPRIM_TOOL) + " " + arguments + " >" + out + " 2>" + err).c_str());
+        const int status =
+            std::system((std::string(JPRIM_TOOL) + " " + arguments + " >" + out + " 2>" + err).c_str());
         result.exitCode = WEXITSTATUS(status);
         result.out = readFile(out);
         result.err = readFile(err);
@@ -83,11 +84,12 @@ const std::string Pendulum =
     "JOINT/1,REVOLUTE,I=10,J=21\nREQUEST/7,DISPLACEMENT,I=20\nEND\n";
 
 TEST_F(Tool, RunWritesThreeFilesAndASummary) {
-    const Outcome r = run("run " + write("p.adm", Pendulum) + " --end 1 --steps 10 --out " + (m_folder / "results").string());
+    const Outcome r = run("run " + write("p.adm", Pendulum) + " --end 1 --steps 10 --out " +
+                          (m_folder / "results").string());
     EXPECT_EQ(r.exitCode, 0) << r.err;
     EXPECT_EQ(r.err, "");
-    for (const char* line : {"degrees of freedom       1\n", "worst constraint error", "energy  ", "integration steps",
-                             "wall time"})
+    for (const char* line : {"degrees of freedom       1\n", "worst constraint error", "energy  ",
+                             "integration steps", "wall time"})
         EXPECT_NE(r.out.find(line), std::string::npos) << line << "\n" << r.out;
 
     const std::string requests = readFile(m_folder / "results/requests.csv");
@@ -104,7 +106,8 @@ TEST_F(Tool, RunWritesThreeFilesAndASummary) {
               "JOINT/1.J.FX,JOINT/1.J.FY,JOINT/1.J.FZ,JOINT/1.J.TX,JOINT/1.J.TY,JOINT/1.J.TZ");
     const std::string parts = readFile(m_folder / "results/parts.csv");
     EXPECT_EQ(parts.substr(0, parts.find('\n')),
-              "time,PART/2.X,PART/2.Y,PART/2.Z,PART/2.E0,PART/2.E1,PART/2.E2,PART/2.E3,PART/2.VX,PART/2.VY,PART/2.VZ,"
+              "time,PART/2.X,PART/2.Y,PART/2.Z,PART/2.E0,PART/2.E1,PART/2.E2,PART/2.E3,PART/2.VX,PART/"
+              "2.VY,PART/2.VZ,"
               "PART/2.WX,PART/2.WY,PART/2.WZ,energy.kinetic,energy.potential,energy.total");
 }
 
@@ -116,7 +119,8 @@ TEST_F(Tool, QuietPrintsNothing) {
 
 // A coarse integration loses energy; a mechanism at rest has none to lose.
 TEST_F(Tool, WarnsOfEnergyErrors) {
-    const std::string model = std::string(JPRIM_SOURCE_DIR) + "/tests/data/adams/RevSpherical_Case01_joint.adm";
+    const std::string model =
+        std::string(JPRIM_SOURCE_DIR) + "/tests/data/adams/RevSpherical_Case01_joint.adm";
     const std::string warning = "warning: the energy of this conservative mechanism changed by";
     EXPECT_EQ(run("run " + model + " --end 5 --quiet").err.find(warning), std::string::npos);
     const Outcome coarse = run("run " + model + " --end 5 --steps 5 --accuracy 0.05 --quiet");
@@ -136,8 +140,9 @@ TEST_F(Tool, ProgressBarOnATerminalOnly) {
 }
 
 TEST_F(Tool, AllErrorsOfADatasetAreListedAndItExitsWith3) {
-    const std::string model = write(
-        "bad.adm", "bad\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1\nMARKER/20,QQQ=1,2,3\nGCON/1,FUNCTION=1\nEND\n");
+    const std::string model = write("bad.adm",
+                                    "bad\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1\nMARKER/"
+                                    "20,QQQ=1,2,3\nGCON/1,FUNCTION=1\nEND\n");
     for (const std::string& command : {"run " + model + " --end 1", "check " + model}) {
         const Outcome r = run(command);
         EXPECT_EQ(r.exitCode, 3);
@@ -148,7 +153,8 @@ TEST_F(Tool, AllErrorsOfADatasetAreListedAndItExitsWith3) {
 }
 
 TEST_F(Tool, MotionOnAJprimSaysToUseAJoint) {
-    const std::string model = write("m.adm", Pendulum.substr(0, Pendulum.size() - 4) + "MOTION/1,JPRIM=1,FUNCTION=TIME\nEND\n");
+    const std::string model =
+        write("m.adm", Pendulum.substr(0, Pendulum.size() - 4) + "MOTION/1,JPRIM=1,FUNCTION=TIME\nEND\n");
     const Outcome r = run("check " + model);
     EXPECT_EQ(r.exitCode, 3);
     EXPECT_NE(r.err.find("JPRIM"), std::string::npos);
@@ -164,9 +170,16 @@ TEST_F(Tool, AFileThatIsNotThereExitsWith3) {
 TEST_F(Tool, WrongUsageExitsWith2) {
     const std::string model = write("p.adm", Pendulum);
     const std::string ok = "run " + model + " --end 1";
-    const std::vector<std::string> wrong = {"", "walk " + model, "check", "run --end 1", "run " + model,
-                                            "run " + model + " --end -1", ok + " --steps 5 --dtout 0.1",
-                                            ok + " --steps 0", ok + " --integrator Euler", ok + " --accuracy 7",
+    const std::vector<std::string> wrong = {"",
+                                            "walk " + model,
+                                            "check",
+                                            "run --end 1",
+                                            "run " + model,
+                                            "run " + model + " --end -1",
+                                            ok + " --steps 5 --dtout 0.1",
+                                            ok + " --steps 0",
+                                            ok + " --integrator Euler",
+                                            ok + " --accuracy 7",
                                             ok + " --dtout 0.3"};
     for (const std::string& arguments : wrong) {
         const Outcome r = run(arguments);
@@ -185,9 +198,10 @@ TEST_F(Tool, HelpAndVersion) {
 }
 
 TEST_F(Tool, WhatCannotBeAssembledFailsWith1OrIsUnusable) {
-    const std::string model = write("apart.adm",
-                                    "apart\nPART/1,GROUND\nMARKER/10\nMARKER/11,QP=3,0,0\nPART/2,MASS=1,CM=20,IP=1,1,1\n"
-                                    "MARKER/20\nMARKER/21,QP=1,0,0\nJPRIM/1,ATPOINT,I=20,J=10\nJPRIM/2,ATPOINT,I=21,J=11\nEND\n");
+    const std::string model =
+        write("apart.adm",
+              "apart\nPART/1,GROUND\nMARKER/10\nMARKER/11,QP=3,0,0\nPART/2,MASS=1,CM=20,IP=1,1,1\n"
+              "MARKER/20\nMARKER/21,QP=1,0,0\nJPRIM/1,ATPOINT,I=20,J=10\nJPRIM/2,ATPOINT,I=21,J=11\nEND\n");
     const Outcome r = run("run " + model + " --end 1");
     EXPECT_EQ(r.exitCode, 1);
     EXPECT_NE(r.err.find("cannot be assembled"), std::string::npos);
@@ -196,9 +210,20 @@ TEST_F(Tool, WhatCannotBeAssembledFailsWith1OrIsUnusable) {
     EXPECT_EQ(nlohmann::json::parse(checked.out)["usable"], false);
 }
 
+TEST_F(Tool, AFailedSimulationExitsWith1AndStillWritesItsFiles) {
+    std::string heavy = Pendulum;
+    heavy.replace(heavy.find("-9806.65"), 8, "-1E300");
+    const Outcome r =
+        run("run " + write("h.adm", heavy) + " --end 1 --out " + (m_folder / "results").string());
+    EXPECT_EQ(r.exitCode, 1);
+    EXPECT_NE(r.err.find("h.adm: error: at time 0: the simulation cannot go on"), std::string::npos) << r.err;
+    EXPECT_TRUE(fs::exists(m_folder / "results/parts.csv"));
+}
+
 TEST_F(Tool, ResultsThatCannotBeWrittenFailWith1) {
     write("taken", "a file where the folder should be");
-    const Outcome r = run("run " + write("p.adm", Pendulum) + " --end 1 --out " + (m_folder / "taken").string());
+    const Outcome r =
+        run("run " + write("p.adm", Pendulum) + " --end 1 --out " + (m_folder / "taken").string());
     EXPECT_EQ(r.exitCode, 1);
     EXPECT_NE(r.err.find("taken"), std::string::npos);
 }

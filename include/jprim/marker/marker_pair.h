@@ -53,8 +53,7 @@ public:
     }
 
 private:
-    SimTK::Vec3 calcVelocityOfISeenFromJ(const SimTK::SpatialVec& V_AI,
-                                         const SimTK::SpatialVec& V_AJ) const {
+    SimTK::Vec3 calcVelocityOfISeenFromJ(const SimTK::SpatialVec& V_AI, const SimTK::SpatialVec& V_AJ) const {
         return V_AI[1] - V_AJ[1] - V_AJ[0] % m_r_A;
     }
 

@@ -38,8 +38,8 @@ Violation calcViolation(const Mechanism& mechanism, const SimTK::State& state);
 ///
 /// Positions: the given ones, if they satisfy the constraints to within AssemblyTolerance; otherwise those
 /// that Simbody's Assembler finds closest to them, with the coordinates named by EXACT held.
-/// Velocities: the given components are kept where the constraints allow, otherwise met as nearly as can be in
-/// the sense of least squares; of all such velocities the smallest, so that what was not given and is not
+/// Velocities: the given components are kept where the constraints allow, otherwise met as nearly as can be
+/// in the sense of least squares; of all such velocities the smallest, so that what was not given and is not
 /// driven by what was stays at rest. Angular velocities count by the part's size.
 ///
 /// @throws Error naming the element that stays violated, if the constraints cannot be met

@@ -23,9 +23,11 @@ struct Table {
 ///
 /// | table | columns, each after a prefix |
 /// | --- | --- |
-/// | requests | `R<id>.` DISPLACEMENT: MAG X Y Z PSI THETA PHI; VELOCITY: VM VX VY VZ WM WX WY WZ; ACCELERATION: ACCM ACCX ACCY ACCZ WDTM WDTX WDTY WDTZ; FORCE: FM FX FY FZ TM TX TY TZ |
-/// | reactions | `JPRIM/<id>.I.`, `.J.` and likewise JOINT: FX FY FZ TX TY TZ, Ground axes, at the marker |
-/// | parts | `PART/<id>.` X Y Z of the mass centre, E0 E1 E2 E3 of the CM marker, VX VY VZ WX WY WZ in Ground; `energy.` kinetic potential total |
+/// | requests | `R<id>.` DISPLACEMENT: MAG X Y Z PSI THETA PHI; VELOCITY: VM VX VY VZ WM WX WY WZ;
+/// ACCELERATION: ACCM ACCX ACCY ACCZ WDTM WDTX WDTY WDTZ; FORCE: FM FX FY FZ TM TX TY TZ | | reactions |
+/// `JPRIM/<id>.I.`, `.J.` and likewise JOINT: FX FY FZ TX TY TZ, Ground axes, at the marker | | parts |
+/// `PART/<id>.` X Y Z of the mass centre, E0 E1 E2 E3 of the CM marker, VX VY VZ WX WY WZ in Ground;
+/// `energy.` kinetic potential total |
 struct Results {
     Table requests;
     Table reactions;

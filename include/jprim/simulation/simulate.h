@@ -12,11 +12,13 @@
 namespace jprim {
 
 struct SimulationOptions {
-    double end = 0;  ///< end time, in the dataset's unit; it starts at 0
+    double end = 0;   ///< end time, in the dataset's unit; it starts at 0
     int steps = 100;  ///< output steps of equal length; steps + 1 rows are recorded
-    double accuracy = 1e-6;  ///< relative, of the integrator; a tenth of it for constraint errors (root mean square)
+    double accuracy =
+        1e-6;  ///< relative, of the integrator; a tenth of it for constraint errors (root mean square)
     std::string integrator = "RungeKuttaMerson";  ///< one of getIntegratorNames()
-    /// Called with the finished fraction, 0 to 1, after each output step.
+    /// Called with the finished fraction, 0 to 1, after each output step. If it throws, the simulation ends
+    /// there as if it had failed.
     std::function<void(double)> reportProgress;
 };
 
@@ -25,16 +27,16 @@ std::vector<std::string> getIntegratorNames();
 
 /// How a simulation went. In SI.
 struct SimulationSummary {
-    int degreesOfFreedom = 0;   ///< at the start
+    int degreesOfFreedom = 0;    ///< at the start
     int redundantEquations = 0;  ///< at the start
-    Violation worstViolation;   ///< over all recorded times
+    Violation worstViolation;    ///< over all recorded times
     double energyAtStart = 0;
     double energyAtEnd = 0;
     double largestEnergyChange = 0;  ///< over all recorded times, from the start
     /// What the change is held against: largest less smallest kinetic energy, or where hardly anything moves
     /// 1e-9 of the work of the parts' weights over their sizes.
     double energyScale = 0;
-    int stepsTaken = 0;              ///< by the integrator
+    int stepsTaken = 0;  ///< by the integrator
     double wallSeconds = 0;
 };
 
