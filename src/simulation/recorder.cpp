@@ -11,6 +11,7 @@ using SimTK::Real;
 using SimTK::Rotation;
 using SimTK::SpatialVec;
 using SimTK::State;
+using SimTK::Transform;
 using SimTK::Vec3;
 
 namespace {
@@ -66,55 +67,55 @@ void Recorder::record(const State& state) {
 }
 
 //-------------------------------------------------------------------------------------------- requests
-void Recorder::addRequest(const MechanismRequest& r) {
+namespace {
+
+void calcDisplacement(const MechanismRequest& r, const Mechanism&, const State& s, double* out) {
+    const Transform X_GI = r.I.findPoseInGround(s), X_GJ = r.J.findPoseInGround(s);
+    out = putWithMagnitude(~r.rm.findPoseInGround(s).R() * (X_GI.p() - X_GJ.p()), out);
+    put(calcAngles313(~X_GJ.R() * X_GI.R()), out);
+}
+
+void calcVelocity(const MechanismRequest& r, const Mechanism&, const State& s, double* out) {
+    putInAxes(r.I.findVelocityInGround(s) - r.J.findVelocityInGround(s), s, r.rm, out);
+}
+
+void calcAcceleration(const MechanismRequest& r, const Mechanism&, const State& s, double* out) {
+    putInAxes(r.I.findAccelerationInGround(s) - r.J.findAccelerationInGround(s), s, r.rm, out);
+}
+
+void calcForce(const MechanismRequest& r, const Mechanism& mechanism, const State& s, double* out) {
+    SpatialVec sum(Vec3(0), Vec3(0));
+    for (const auto& [k, iIsI] : r.connections) {
+        const Joint& joint = mechanism.getConnections()[k].joint;
+        sum += iIsI ? joint.calcReactionOnI(s) : joint.calcReactionOnJ(s);
+    }
+    putInAxes(sum, s, r.rm, out);
+}
+
+}  // namespace
+
+void Recorder::addRequest(const MechanismRequest& request) {
     const UnitSystem& u = m_mechanism.getUnits();
-    const std::string prefix = fmt::format("R{}.", r.id);
-    const double L = u.length, V = u.getVelocity(), W = u.getAngularVelocity(), A = u.getAcceleration();
-    const double B = u.getAngularAcceleration(), F = u.force, M = u.getMoment();
-    switch (r.type) {
+    // The first four columns are linear, the others angular.
+    const auto add = [&](const std::vector<const char*>& names, double linear, double angular, auto calc) {
+        std::vector<Column> columns;
+        for (const char* name : names) columns.push_back({name, columns.size() < 4 ? linear : angular});
+        addGroup(m_results.requests, fmt::format("R{}.", request.id), columns,
+                 [calc, request, &mechanism = m_mechanism](const State& s, double* out) {
+                     calc(request, mechanism, s, out);
+                 });
+    };
+    switch (request.type) {
         case RequestType::Displacement:
-            return addGroup(m_results.requests, prefix,
-                            {{"MAG", L}, {"X", L}, {"Y", L}, {"Z", L}, {"PSI", 1}, {"THETA", 1}, {"PHI", 1}},
-                            [r](const State& s, double* out) {
-                                const SimTK::Transform X_GI = r.I.findPoseInGround(s),
-                                                       X_GJ = r.J.findPoseInGround(s);
-                                const Rotation R_GR = r.rm.findPoseInGround(s).R();
-                                out = putWithMagnitude(~R_GR * (X_GI.p() - X_GJ.p()), out);
-                                put(calcAngles313(~X_GJ.R() * X_GI.R()), out);
-                            });
+            return add({"MAG", "X", "Y", "Z", "PSI", "THETA", "PHI"}, u.length, 1, calcDisplacement);
         case RequestType::Velocity:
-            return addGroup(
-                m_results.requests, prefix,
-                {{"VM", V}, {"VX", V}, {"VY", V}, {"VZ", V}, {"WM", W}, {"WX", W}, {"WY", W}, {"WZ", W}},
-                [r](const State& s, double* out) {
-                    putInAxes(r.I.findVelocityInGround(s) - r.J.findVelocityInGround(s), s, r.rm, out);
-                });
+            return add({"VM", "VX", "VY", "VZ", "WM", "WX", "WY", "WZ"}, u.getVelocity(),
+                       u.getAngularVelocity(), calcVelocity);
         case RequestType::Acceleration:
-            return addGroup(m_results.requests, prefix,
-                            {{"ACCM", A},
-                             {"ACCX", A},
-                             {"ACCY", A},
-                             {"ACCZ", A},
-                             {"WDTM", B},
-                             {"WDTX", B},
-                             {"WDTY", B},
-                             {"WDTZ", B}},
-                            [r](const State& s, double* out) {
-                                putInAxes(r.I.findAccelerationInGround(s) - r.J.findAccelerationInGround(s),
-                                          s, r.rm, out);
-                            });
+            return add({"ACCM", "ACCX", "ACCY", "ACCZ", "WDTM", "WDTX", "WDTY", "WDTZ"}, u.getAcceleration(),
+                       u.getAngularAcceleration(), calcAcceleration);
         case RequestType::Force:
-            return addGroup(
-                m_results.requests, prefix,
-                {{"FM", F}, {"FX", F}, {"FY", F}, {"FZ", F}, {"TM", M}, {"TX", M}, {"TY", M}, {"TZ", M}},
-                [r, &connections = m_mechanism.getConnections()](const State& s, double* out) {
-                    SpatialVec sum(Vec3(0), Vec3(0));
-                    for (const auto& [k, iIsI] : r.connections) {
-                        const Joint& joint = connections[k].joint;
-                        sum += iIsI ? joint.calcReactionOnI(s) : joint.calcReactionOnJ(s);
-                    }
-                    putInAxes(sum, s, r.rm, out);
-                });
+            return add({"FM", "FX", "FY", "FZ", "TM", "TX", "TY", "TZ"}, u.force, u.getMoment(), calcForce);
         case RequestType::Expressions:
             break;  // not evaluated; the reader has said so
     }
@@ -123,16 +124,16 @@ void Recorder::addRequest(const MechanismRequest& r) {
 //----------------------------------------------------------------------------- reactions, parts, energy
 void Recorder::addConnection(const Connection& connection) {
     const double F = m_mechanism.getUnits().force, M = m_mechanism.getUnits().getMoment();
-    const std::vector<Column> columns = {{"FX", F}, {"FY", F}, {"FZ", F}, {"TX", M}, {"TY", M}, {"TZ", M}};
-    const Joint& joint = connection.joint;
-    addGroup(m_results.reactions, connection.name + ".I.", columns, [joint](const State& s, double* out) {
-        const SpatialVec load = joint.calcReactionOnI(s);
-        put(load[0], put(load[1], out));
-    });
-    addGroup(m_results.reactions, connection.name + ".J.", columns, [joint](const State& s, double* out) {
-        const SpatialVec load = joint.calcReactionOnJ(s);
-        put(load[0], put(load[1], out));
-    });
+    const auto add = [&](const char* side, SpatialVec (Joint::*calcReaction)(const State&) const) {
+        addGroup(m_results.reactions, connection.name + side,
+                 {{"FX", F}, {"FY", F}, {"FZ", F}, {"TX", M}, {"TY", M}, {"TZ", M}},
+                 [joint = connection.joint, calcReaction](const State& s, double* out) {
+                     const SpatialVec load = (joint.*calcReaction)(s);
+                     put(load[0], put(load[1], out));
+                 });
+    };
+    add(".I.", &Joint::calcReactionOnI);
+    add(".J.", &Joint::calcReactionOnJ);
 }
 
 void Recorder::addPart(const MechanismPart& part) {
@@ -153,7 +154,7 @@ void Recorder::addPart(const MechanismPart& part) {
               {"WY", W},
               {"WZ", W}},
              [cm = part.cm](const State& s, double* out) {
-                 const SimTK::Transform X_GC = cm.findPoseInGround(s);
+                 const Transform X_GC = cm.findPoseInGround(s);
                  out = put(X_GC.p(), out);
                  const SimTK::Quaternion q = X_GC.R().convertRotationToQuaternion();
                  for (int k = 0; k < 4; ++k) *out++ = q[k];
