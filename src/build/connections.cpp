@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace jprim {
 
@@ -12,43 +13,74 @@ using SimTK::Rotation;
 
 namespace {
 
-// Which directions of I and J must agree in sense.
-enum class Sense { None, ZAxes, AllAxes };
+// What the given orientations of I and J must be like for the type to assemble as meant.
+enum class Need { Nothing, ZAxesAlike, AllAxesAlike, ZAxesCrossed, BarsCrossed };
 
-Sense getSense(JprimType type) {
+Need getNeed(JprimType type) {
     switch (type) {
         case JprimType::ParallelAxes:
-            return Sense::ZAxes;
+            return Need::ZAxesAlike;
         case JprimType::Orientation:
-            return Sense::AllAxes;
+            return Need::AllAxesAlike;
+        case JprimType::Perpendicular:
+            return Need::ZAxesCrossed;
         default:
-            return Sense::None;
+            return Need::Nothing;
     }
 }
 
-Sense getSense(JointType type) {
+Need getNeed(JointType type) {
     switch (type) {
         case JointType::Revolute:
         case JointType::Cylindrical:
         case JointType::Planar:
-            return Sense::ZAxes;
+            return Need::ZAxesAlike;
         case JointType::Translational:
         case JointType::Fixed:
-            return Sense::AllAxes;
+            return Need::AllAxesAlike;
+        case JointType::Universal:
+            return Need::ZAxesCrossed;
+        case JointType::Hooke:
+            return Need::BarsCrossed;
         default:
-            return Sense::None;
+            return Need::Nothing;
     }
 }
 
-std::string findFlip(Sense sense, const Rotation& R_GI, const Rotation& R_GJ, int i, int j) {
-    const Rotation R = ~R_GJ * R_GI;
-    const Real angle = sense == Sense::ZAxes ? std::acos(std::clamp(R.z()[2], -1., 1.))
-                                             : std::abs(R.convertRotationToAngleAxis()[0]);
-    if (sense == Sense::None || angle <= SimTK::Pi / 2) return "";
+// Axes that should be alike, given nearer to opposite.
+std::string describeFlip(const char* axes, Real angle, int i, int j) {
+    if (angle <= SimTK::Pi / 2) return "";
     return fmt::format(
-        "the {} of I={} and J={} are {:.4g} degrees apart and would assemble flipped; turn one of "
-        "the markers so that they point the same way",
-        sense == Sense::ZAxes ? "z axes" : "axes", i, j, angle * SimTK_RADIAN_TO_DEGREE);
+        "the {} of I={} and J={} are {:.4g} degrees apart, nearer to opposite than to equal; turn one "
+        "of the markers so that they point the same way",
+        axes, i, j, angle * SimTK_RADIAN_TO_DEGREE);
+}
+
+// Axes that should be perpendicular, given parallel: there is no telling which way to turn them.
+std::string describeParallel(const char* axisI, const char* axisJ, Real cosine, int i, int j) {
+    constexpr Real Parallel = 1 - 1e-6;
+    if (std::abs(cosine) < Parallel) return "";
+    return fmt::format(
+        "the {} axis of I={} and the {} axis of J={} must be perpendicular but are parallel; turn one "
+        "of the markers",
+        axisI, i, axisJ, j);
+}
+
+std::string findMisalignment(Need need, const Rotation& R_GI, const Rotation& R_GJ, int i, int j) {
+    const Rotation R = ~R_GJ * R_GI;
+    switch (need) {
+        case Need::ZAxesAlike:
+            return describeFlip("z axes", std::acos(std::clamp(R.z()[2], -1., 1.)), i, j);
+        case Need::AllAxesAlike:
+            return describeFlip("axes", std::abs(R.convertRotationToAngleAxis()[0]), i, j);
+        case Need::ZAxesCrossed:
+            return describeParallel("z", "z", R.z()[2], i, j);
+        case Need::BarsCrossed:
+            return describeParallel("x", "y", R.x()[1], i, j);
+        case Need::Nothing:
+            break;
+    }
+    return "";
 }
 
 Primitive makePrimitive(JprimType type, const Marker& I, const Marker& J, const std::string& name) {
@@ -71,12 +103,12 @@ Primitive makePrimitive(JprimType type, const Marker& I, const Marker& J, const 
 
 }  // namespace
 
-std::string findFlip(JprimType type, const Rotation& R_GI, const Rotation& R_GJ, int i, int j) {
-    return findFlip(getSense(type), R_GI, R_GJ, i, j);
+std::string findMisalignment(JprimType type, const Rotation& R_GI, const Rotation& R_GJ, int i, int j) {
+    return findMisalignment(getNeed(type), R_GI, R_GJ, i, j);
 }
 
-std::string findFlip(JointType type, const Rotation& R_GI, const Rotation& R_GJ, int i, int j) {
-    return findFlip(getSense(type), R_GI, R_GJ, i, j);
+std::string findMisalignment(JointType type, const Rotation& R_GI, const Rotation& R_GJ, int i, int j) {
+    return findMisalignment(getNeed(type), R_GI, R_GJ, i, j);
 }
 
 Joint makeConnection(JprimType type, const Marker& I, const Marker& J, const std::string& name) {

@@ -13,10 +13,12 @@ namespace jprim {
 Joint makeConnection(JprimType type, const Marker& I, const Marker& J, const std::string& name);
 Joint makeConnection(JointType type, const Marker& I, const Marker& J, const std::string& name);
 
-/// What is wrong with the given orientations of markers i and j if their axes, which the type wants equal,
-/// are nearer to opposite; empty if nothing is.
-std::string findFlip(JprimType type, const SimTK::Rotation& R_GI, const SimTK::Rotation& R_GJ, int i, int j);
-std::string findFlip(JointType type, const SimTK::Rotation& R_GI, const SimTK::Rotation& R_GJ, int i, int j);
+/// What is wrong with the given orientations of markers i and j: axes that the type wants equal are nearer to
+/// opposite, or axes that it wants perpendicular are parallel. Empty if nothing is.
+std::string findMisalignment(JprimType type, const SimTK::Rotation& R_GI, const SimTK::Rotation& R_GJ, int i,
+                             int j);
+std::string findMisalignment(JointType type, const SimTK::Rotation& R_GI, const SimTK::Rotation& R_GJ, int i,
+                             int j);
 
 }  // namespace jprim
 

@@ -24,7 +24,8 @@ const Marker& Mechanism::getMarker(int id) const {
 Real Mechanism::calcReaction(const State& state, const std::string& name, int jflag, int comp, int rm) const {
     const auto found = m_connectionIndex.find(name);
     if (found == m_connectionIndex.end()) throw Error(name, "does not exist in this mechanism");
-    return m_connections[found->second].joint.JOINT(state, jflag, comp, getMarker(rm));
+    const Real value = m_connections[found->second].joint.JOINT(state, jflag, comp, getMarker(rm));
+    return value * (comp <= 4 ? m_lengthUnit : m_lengthUnit * m_lengthUnit);  // to N or N m
 }
 
 Real Mechanism::calcJPRIM(const State& state, int id, int jflag, int comp, int rm) const {

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "jprim/build/build_mechanism.h"
 
 namespace jprim {
 
@@ -38,7 +41,9 @@ Mat33 calcCentralInertia(const PartMass& part) {
     return Mat33(part.X_BI.R()) * central * Mat33(~part.X_BI.R());
 }
 
-std::string findInertiaProblem(const Mat33& inertia, Real unit) {
+std::string findMassProblem(Real mass, const Mat33& inertia, Real unit) {
+    if (!std::isfinite(mass) || !std::isfinite(inertia.norm()))
+        return "mass or inertia about the mass centre is too large to be a number";
     const Eigen::Vector3d moments = solve(inertia).eigenvalues() / unit;  // ascending
     if (moments[0] < -DigitsLost * moments[2] || moments[2] < 0)
         return fmt::format("one of its principal moments about the mass centre is negative ({:.6g})",
@@ -51,15 +56,20 @@ std::string findInertiaProblem(const Mat33& inertia, Real unit) {
     return "";
 }
 
-Mat33 raisePrincipalMoments(const Mat33& inertia, Real smallest, bool& wasRaised) {
+SolvableMass makeSolvable(Real mass, const Mat33& inertia, Real size, Real lightestMass) {
+    SolvableMass result{mass, inertia, mass == 0, false};
+    if (result.massReplaced) result.mass = MasslessFraction * lightestMass;
+    const Real shape = (result.massReplaced ? 1 : MasslessFraction) * result.mass * size * size;
+
     const Solver solver = solve(inertia);
-    wasRaised = solver.eigenvalues()[0] < smallest;
-    if (!wasRaised) return inertia;
+    const Real largest = solver.eigenvalues()[2];
+    const Real smallest = largest > 0 ? MasslessFraction * largest : shape;
+    result.inertiaReplaced = solver.eigenvalues()[0] < smallest;
+    if (!result.inertiaReplaced) return result;
     const Eigen::Vector3d raised = solver.eigenvalues().array().max(0) + smallest;
     const Eigen::Matrix3d m = solver.eigenvectors() * raised.asDiagonal() * solver.eigenvectors().transpose();
-    Mat33 result;
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) result(i, j) = (m(i, j) + m(j, i)) / 2;
+        for (int j = 0; j < 3; ++j) result.inertia(i, j) = (m(i, j) + m(j, i)) / 2;
     return result;
 }
 

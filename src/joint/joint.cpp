@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/joint/joint.h"
 
+#include <algorithm>
+
 #include "jprim/marker/load.h"
 
 namespace jprim {
@@ -77,7 +79,8 @@ void Joint::enable(State& state) const {
 }
 
 bool Joint::isDisabled(const State& state) const {
-    return m_primitives.front().isDisabled(state);
+    return std::all_of(m_primitives.begin(), m_primitives.end(),
+                       [&state](const Primitive& primitive) { return primitive.isDisabled(state); });
 }
 
 //-------------------------------------------------------------------------------------- reactions

@@ -12,6 +12,9 @@
 // At theta = 180 deg every direction of e is as good as any other and turning it is infinitely fast: the
 // formulas divide by s = 0. Within SmallestS of there z is taken to be tilted back so far, towards its own
 // side or, with no side, towards x: size and continuity of e suffer by SmallestS^2, nothing becomes NaN.
+#include <algorithm>
+#include <cmath>
+
 #include "jprim/primitive/primitives.h"
 #include "primitive/primitive_impl.h"
 

@@ -119,6 +119,12 @@ const PrimitiveImpl::PositionCache& PrimitiveImpl::getPositionCache(const State&
     return cache;
 }
 
+const PrimitiveImpl::Errors& PrimitiveImpl::getBias(const State& state) const {
+    Errors& bias = updEntry<Errors>(state, m_subsystem, m_bias);
+    if (state.getSubsystemStage(m_subsystem) < Stage::Velocity) bias = calcBodyBias(state);
+    return bias;
+}
+
 //------------------------------------------------------------------------- from markers to bodies
 // A load d = [t, f] on I at I's origin, moved to the origin of I's body, and its opposite to that of J's:
 //     momentI = t + s_I x f      momentJ = -t - (r + s_J) x f
@@ -196,7 +202,7 @@ void PrimitiveImpl::calcPositionDotDotErrors(const State& state,
                                              const Array_<Real, ConstrainedQIndex>&,
                                              Array_<Real>& paerr) const {
     const PositionCache& cache = getPositionCache(state);
-    const Errors& bias = updEntry<Errors>(state, m_subsystem, m_bias);
+    const Errors& bias = getBias(state);
     const SpatialVec& A_I = A_AB[m_bodyI];
     const SpatialVec& A_J = A_AB[m_bodyJ];
     for (int k = 0; k < m_numEquations; ++k) paerr[k] = multiply(cache.rows[k], A_I, A_J) + bias[k];
@@ -233,8 +239,7 @@ SpatialVec PrimitiveImpl::calcLoadOnI(const State& state, const MarkerPair& pair
     return load;
 }
 
-// Both triads, and from I's origin each constrained direction: solid for a force, dotted look by colour
-// for a torque.
+// Both triads, and through I's origin each constrained direction: red for a force, magenta for a torque.
 void PrimitiveImpl::calcDecorativeGeometryAndAppend(const State& state, Stage stage,
                                                     Array_<SimTK::DecorativeGeometry>& geometry) const {
     if (stage != Stage::Position) return;

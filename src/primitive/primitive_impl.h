@@ -96,6 +96,7 @@ private:
 
     const PositionCache& getPositionCache(const SimTK::State& state) const;
     void calcPositionCache(const SimTK::State& state, PositionCache& cache) const;
+    const Errors& getBias(const SimTK::State& state) const;
     Errors calcBodyBias(const SimTK::State& state) const;
     SimTK::Real multiply(const Row& row, const SimTK::SpatialVec& motionI,
                          const SimTK::SpatialVec& motionJ) const;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "jprim/base/error.h"
 #include "jprim/marker/angles.h"
@@ -29,37 +31,84 @@ constexpr Real ProjectionTolerance = 1e-11;
 
 /// PART/EXACT as something the Assembler must satisfy: the named ones of the coordinates X, Y, Z [sizes of
 /// the part] and PSI, THETA, PHI [rad] of the part's BCS keep their given values.
+///
+/// 3-1-3 angles are singular where z stands upright, as in every plane mechanism. There PSI and PHI are both
+/// the turn about z, and THETA is held by not tilting z.
 class ExactCoordinates : public AssemblyCondition {
 public:
     explicit ExactCoordinates(const MechanismPart& part)
         : AssemblyCondition(fmt::format("PART/{} EXACT", part.id)), m_part(part) {}
 
     int calcErrors(const State& state, Vector& errors) const override {
-        const Transform X_GB = m_part.body.getBodyTransform(state);
-        const Vec3 shift = (X_GB.p() - m_part.givenPose.p()) / m_part.size;
-        const Vec3 turn = calcAngles313(X_GB.R()) - calcAngles313(m_part.givenPose.R());
+        const Transform X_GP = m_part.bcs.findPoseInGround(state);
         std::vector<Real> held;
         for (int k = 0; k < 3; ++k)
-            if (m_part.exact[k]) held.push_back(shift[k]);
-        for (int k = 0; k < 3; ++k)
-            if (m_part.exact[3 + k]) held.push_back(std::remainder(turn[k], 2 * SimTK::Pi));
+            if (m_part.exact[k]) held.push_back((X_GP.p()[k] - m_part.givenPose.p()[k]) / m_part.size);
+        addTurns(X_GP.R(), held);
         errors = Vector(int(held.size()), held.data());
         return 0;
     }
 
 private:
+    void addTurns(const Rotation& R_GP, std::vector<Real>& held) const {
+        constexpr Real Upright = 1e-6;
+        const Vec3 given = calcAngles313(m_part.givenPose.R());
+        const auto [psi, theta, phi] = std::tuple(m_part.exact[3], m_part.exact[4], m_part.exact[5]);
+        const Rotation turn = ~m_part.givenPose.R() * R_GP;
+        if (psi && theta && phi) {
+            const SimTK::Quaternion q = turn.convertRotationToQuaternion();
+            held.insert(held.end(), {2 * q[1], 2 * q[2], 2 * q[3]});
+        } else if (std::sin(given[1]) < Upright) {
+            if (psi || phi) held.push_back(std::atan2(turn[1][0] - turn[0][1], turn[0][0] + turn[1][1]));
+            if (theta) held.insert(held.end(), {turn[0][2], turn[1][2]});
+        } else {
+            const Vec3 change = calcAngles313(R_GP) - given;
+            for (int k = 0; k < 3; ++k)
+                if (m_part.exact[3 + k]) held.push_back(std::remainder(change[k], 2 * SimTK::Pi));
+        }
+    }
+
     const MechanismPart& m_part;
 };
 
-void holdExactCoordinates(const Mechanism& mechanism, Assembler& assembler) {
+// The parts with EXACT coordinates, for messages; empty if there is none.
+std::string nameExactParts(const Mechanism& mechanism) {
+    std::string names;
+    for (const MechanismPart& part : mechanism.getParts()) {
+        const bool isExact = std::find(part.exact.begin(), part.exact.end(), true) != part.exact.end();
+        if (isExact && !part.ground) names += fmt::format("{}PART/{}", names.empty() ? "" : ", ", part.id);
+    }
+    return names;
+}
+
+enum class Exactness { Required, Wanted };
+
+// Required, EXACT is a condition like a constraint's. Some of these may repeat what constraints already
+// demand, as in a plane mechanism, and Simbody's optimizer takes no more equations than unknowns: then EXACT
+// is Wanted far more than closeness, and checked afterwards.
+void holdExactCoordinates(const Mechanism& mechanism, Exactness exactness, Assembler& assembler) {
+    constexpr Real MuchMore = 1e8;
     for (const MechanismPart& part : mechanism.getParts()) {
         const auto held = std::count(part.exact.begin(), part.exact.end(), true);
         if (part.ground || held == 0) continue;
         if (held == 6)
             assembler.lockMobilizer(part.body.getMobilizedBodyIndex());
-        else
+        else if (exactness == Exactness::Required)
             assembler.adoptAssemblyError(new ExactCoordinates(part));
+        else
+            assembler.adoptAssemblyGoal(new ExactCoordinates(part), MuchMore);
     }
+}
+
+bool keepsExactCoordinates(const Mechanism& mechanism, const State& state) {
+    constexpr Real Kept = 1e-6;  // sizes of the part, radians
+    Vector errors;
+    for (const MechanismPart& part : mechanism.getParts()) {
+        if (part.ground) continue;
+        ExactCoordinates(part).calcErrors(state, errors);
+        if (errors.size() > 0 && errors.normInf() > Kept) return false;
+    }
+    return true;
 }
 
 // Three points of each part, its size apart, are to stay near where the dataset puts them.
@@ -69,35 +118,48 @@ void stayCloseToGivenPoses(const Mechanism& mechanism, const State& state, Assem
     SimTK::Array_<Vec3> targets;
     for (const MechanismPart& part : mechanism.getParts()) {
         if (part.ground) continue;
-        const Vec3 center = part.cm.getPose().p();
-        for (const Vec3& offset : {Vec3(0), Vec3(part.size, 0, 0), Vec3(0, part.size, 0)}) {
-            markers->addMarker(part.body.getMobilizedBodyIndex(), center + offset,
-                               1 / (part.size * part.size));
-            targets.push_back(part.givenPose * (center + offset));
+        const Transform X_GB = part.givenPose * ~part.bcs.getPose();
+        for (const Vec3& point : {Vec3(0), Vec3(part.size, 0, 0), Vec3(0, part.size, 0)}) {
+            markers->addMarker(part.body.getMobilizedBodyIndex(), point, 1 / (part.size * part.size));
+            targets.push_back(X_GB * point);
         }
     }
     assembler.initialize(state);
     markers->moveAllObservations(targets);
 }
 
-void assemblePositions(const Mechanism& mechanism, State& state) {
+// True if it succeeded; the state is as near as it came.
+bool tryToAssemble(const Mechanism& mechanism, Exactness exactness, State& state) {
     Assembler assembler(mechanism.getSystem());
     assembler.setErrorTolerance(AssemblyTolerance);
-    holdExactCoordinates(mechanism, assembler);
+    holdExactCoordinates(mechanism, exactness, assembler);
     stayCloseToGivenPoses(mechanism, state, assembler);
+    bool succeeded = true;
     try {
         assembler.assemble();
-        assembler.updateFromInternalState(state);
-    } catch (const std::exception& exception) {
-        assembler.updateFromInternalState(state);
-        mechanism.getSystem().realize(state, Stage::Position);
-        const Violation left = calcViolation(mechanism, state);
-        throw Error(
-            left.element.empty() ? "assembly" : left.element,
-            fmt::format("the parts cannot be assembled from their given positions; an error of {:.3g} m and "
-                        "{:.3g} rad is left",
-                        left.length, left.angle));
+    } catch (const std::exception&) {
+        succeeded = false;
     }
+    assembler.updateFromInternalState(state);
+    mechanism.getSystem().realize(state, Stage::Position);
+    return succeeded && keepsExactCoordinates(mechanism, state);
+}
+
+void assemblePositions(const Mechanism& mechanism, State& state) {
+    const State given = state;
+    if (tryToAssemble(mechanism, Exactness::Required, state)) return;
+    const std::string exact = nameExactParts(mechanism);
+    if (!exact.empty()) {
+        state = given;
+        if (tryToAssemble(mechanism, Exactness::Wanted, state)) return;
+    }
+    const Violation left = calcViolation(mechanism, state);
+    throw Error(
+        left.element.empty() ? "assembly" : left.element,
+        fmt::format("the parts cannot be assembled from their given positions; an error of {:.3g} length "
+                    "units of the dataset and {:.3g} rad is left{}",
+                    left.length / mechanism.getUnits().length, left.angle,
+                    exact.empty() ? "" : fmt::format(", with coordinates of {} held by EXACT", exact)));
 }
 
 std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& state) {
@@ -105,9 +167,9 @@ std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& s
     for (const MechanismPart& part : mechanism.getParts()) {
         if (part.ground) continue;
         const Transform X_GB = part.body.getBodyTransform(state);
-        const Vec3 center = part.cm.getPose().p();
-        const Real distance = (X_GB * center - part.givenPose * center).norm();
-        const Rotation turn = ~part.givenPose.R() * X_GB.R();
+        const Transform given = part.givenPose * ~part.bcs.getPose();
+        const Real distance = (X_GB.p() - given.p()).norm();
+        const Rotation turn = ~given.R() * X_GB.R();
         const Real angle = std::abs(turn.convertRotationToAngleAxis()[0]);
         if (distance > AssemblyTolerance || angle > AssemblyTolerance)
             moved.push_back({part.id, distance, angle});

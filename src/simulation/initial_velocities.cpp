@@ -75,7 +75,8 @@ Vector calcInitialVelocities(const Mechanism& mechanism, const State& state) {
     Matrix G;
     mechanism.getMatter().calcG(state, G);
     const Eigen::MatrixXd CS = given.C * given.scale.asDiagonal();
-    Eigen::VectorXd y = CS.completeOrthogonalDecomposition().solve(given.c);
+    // The rows of C S are orthonormal: its pseudo-inverse is its transpose.
+    Eigen::VectorXd y = CS.transpose() * given.c;
     if (G.nrow() > 0) {
         const Eigen::MatrixXd GS =
             Eigen::Map<const Eigen::MatrixXd>(&G(0, 0), G.nrow(), G.ncol()) * given.scale.asDiagonal();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include "jprim/analysis/constraint_report.h"
@@ -52,7 +53,8 @@ std::unique_ptr<Integrator> makeIntegrator(const MultibodySystem& system, const 
 }
 
 void checkOptions(const SimulationOptions& options) {
-    if (!(options.end > 0)) throw Error("end", fmt::format("{} is not a positive time", options.end));
+    if (!(options.end > 0) || !std::isfinite(options.end))
+        throw Error("end", fmt::format("{} is not a positive time", options.end));
     if (options.steps < 1) throw Error("steps", fmt::format("{} is not a positive number", options.steps));
     if (!(options.accuracy > 0 && options.accuracy < 1))
         throw Error("accuracy", fmt::format("{} is not between 0 and 1", options.accuracy));
@@ -104,6 +106,21 @@ private:
     Real m_least = 0, m_most = 0, m_smallestScale = 0;
 };
 
+// Simbody solves for the multipliers by least squares and leaves out what it takes for dependent. Redundant
+// equations are met all the same; where masses differ too much, equations of the heavy ones are lost.
+void checkAccelerations(const Mechanism& mechanism, const State& state) {
+    constexpr Real Lost = 1e-4;
+    const Real accelerations = SimTK::max(SimTK::abs(state.getUDot())) + mechanism.getGravity().norm();
+    if (!std::isfinite(accelerations)) throw std::runtime_error("accelerations are not finite");
+    const std::vector<Mechanism::Equation> equations = mechanism.findEquations(state);
+    for (size_t k = 0; k < equations.size(); ++k)
+        if (std::abs(state.getUDotErr()[int(k)]) > Lost * accelerations)
+            throw std::runtime_error(fmt::format(
+                "the accelerations violate {}: it conflicts with other constraints, or masses and "
+                "inertias are too different to solve for",
+                equations[k].element));
+}
+
 void stepTo(Integrator& integrator, Real time) {
     while (integrator.getTime() < time) {
         const Integrator::SuccessfulStepStatus status = integrator.stepTo(time, time);
@@ -147,15 +164,13 @@ SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& ini
     outcome.summary.redundantEquations = report.getNumRedundant();
     Recorder recorder(mechanism);
     Monitor monitor(mechanism, outcome.summary);
-    const Real end = options.end * mechanism.getUnits().time;
     try {
         integrator->initialize(initial.state);
         for (int k = 0; k <= options.steps; ++k) {
-            stepTo(*integrator, end * k / options.steps);
+            stepTo(*integrator, options.end * k / options.steps * mechanism.getUnits().time);
             const State& state = integrator->getState();
             system.realize(state, Stage::Acceleration);
-            if (!std::isfinite(state.getUDot().norm()))
-                throw std::runtime_error("accelerations are not finite");
+            checkAccelerations(mechanism, state);
             recorder.record(state);
             monitor.observe(state);
             if (options.reportProgress) options.reportProgress(double(k) / options.steps);

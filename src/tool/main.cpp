@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 #include "jprim/simulation/simulate.h"
 #include "jprim/version.h"
@@ -10,18 +11,32 @@ namespace {
 using jprim::tool::CheckArguments;
 using jprim::tool::RunArguments;
 
+// CLI11's own checks let NaN through.
+CLI::Validator makeRange(double above, double upTo, const std::string& meaning) {
+    return CLI::Validator(
+        [=](const std::string& text) {
+            double value = 0;
+            const bool good = CLI::detail::lexical_cast(text, value) && value > above && value <= upTo;
+            return good ? std::string() : text + " is not " + meaning;
+        },
+        "", "");
+}
+
+const CLI::Validator PositiveTime = makeRange(0, 1e100, "a positive time");
+const CLI::Validator Accuracy = makeRange(0, 0.1, "between 0 and 0.1");
+
 void addRunOptions(CLI::App& command, RunArguments& arguments) {
     command.add_option("MODEL", arguments.model, "Adams/Solver dataset (.adm)")->required();
     command.add_option("--end", arguments.end, "End time, in the dataset's unit")
         ->required()
-        ->check(CLI::PositiveNumber);
+        ->check(PositiveTime);
     auto* steps = command.add_option("--steps", arguments.steps, "Number of output steps (100)");
     steps->check(CLI::PositiveNumber);
     command.add_option("--dtout", arguments.dtout, "Length of an output step, in the dataset's unit")
-        ->check(CLI::PositiveNumber)
+        ->check(PositiveTime)
         ->excludes(steps);
     command.add_option("--accuracy", arguments.accuracy, "Relative accuracy of the integration")
-        ->check(CLI::Range(1e-14, 0.1))
+        ->check(Accuracy)
         ->capture_default_str();
     command.add_option("--integrator", arguments.integrator, "Simbody's integrator")
         ->check(CLI::IsMember(jprim::getIntegratorNames()))
@@ -54,5 +69,13 @@ int main(int argc, char** argv) {
         // --help and --version arrive here too, as successes.
         return app.exit(error) == 0 ? jprim::tool::Done : jprim::tool::WrongUsage;
     }
-    return run->parsed() ? jprim::tool::run(runArguments) : jprim::tool::check(checkArguments);
+    const std::string& model = run->parsed() ? runArguments.model : checkArguments.model;
+    try {
+        const int code = run->parsed() ? jprim::tool::run(runArguments) : jprim::tool::check(checkArguments);
+        if (std::fflush(stdout) == 0) return code;
+        jprim::tool::printError(model, "standard output cannot be written");
+    } catch (const std::exception& error) {
+        jprim::tool::printError(model, error.what());
+    }
+    return jprim::tool::SimulationFailed;
 }

@@ -34,7 +34,8 @@ void printSummary(const Dataset& dataset, const Mechanism& mechanism, const Simu
 std::optional<int> chooseSteps(const RunArguments& arguments) {
     if (arguments.dtout == 0) return arguments.steps > 0 ? arguments.steps : SimulationOptions().steps;
     const double steps = std::round(arguments.end / arguments.dtout);
-    if (steps < 1 || steps > 1e9 || std::abs(steps * arguments.dtout - arguments.end) > 1e-9 * arguments.end)
+    if (!(steps >= 1 && steps <= 1e9) ||
+        std::abs(steps * arguments.dtout - arguments.end) > 1e-9 * arguments.end)
         return std::nullopt;
     return int(steps);
 }
@@ -48,6 +49,18 @@ void warnOfEnergyError(const RunArguments& arguments, const SimulationSummary& s
         "do not trust the results, and try a smaller --accuracy",
         summary.largestEnergyChange / summary.energyScale);
     fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
+}
+
+SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism, int steps) {
+    const AssembledState initial = assemble(mechanism);
+    ProgressBar bar(!arguments.quiet);
+    SimulationOptions options;
+    options.end = arguments.end;
+    options.steps = steps;
+    options.accuracy = arguments.accuracy;
+    options.integrator = arguments.integrator;
+    options.reportProgress = [&bar](double fraction) { bar.update(fraction); };
+    return simulate(mechanism, initial, options);
 }
 
 }  // namespace
@@ -66,15 +79,10 @@ ExitCode run(const RunArguments& arguments) {
 
     SimulationOutcome outcome;
     try {
-        const AssembledState initial = assemble(*mechanism);
-        ProgressBar bar(!arguments.quiet);
-        SimulationOptions options;
-        options.end = arguments.end;
-        options.steps = *steps;
-        options.accuracy = arguments.accuracy;
-        options.integrator = arguments.integrator;
-        options.reportProgress = [&bar](double fraction) { bar.update(fraction); };
-        outcome = simulate(*mechanism, initial, options);
+        // Before the simulation, not after it, is the time to learn that nothing can be written.
+        if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
+        outcome = simulateModel(arguments, *mechanism, *steps);
+        if (!outcome.failure.empty()) printError(arguments.model, outcome.failure);
         if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
     } catch (const std::exception& error) {
         printError(arguments.model, error.what());
@@ -85,9 +93,7 @@ ExitCode run(const RunArguments& arguments) {
         fmt::print("results                  requests.csv, reactions.csv and parts.csv in {}\n",
                    arguments.out);
     warnOfEnergyError(arguments, outcome.summary);
-    if (outcome.failure.empty()) return Done;
-    printError(arguments.model, outcome.failure);
-    return SimulationFailed;
+    return outcome.failure.empty() ? Done : SimulationFailed;
 }
 
 }  // namespace jprim::tool

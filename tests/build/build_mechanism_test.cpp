@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/build/build_mechanism.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "build/part_mass.h"
@@ -24,6 +25,7 @@ const std::string Preamble =
     "PART/1, GROUND\n"
     "MARKER/10\n"
     "MARKER/11, REULER=0D,180D,0D\n"
+    "MARKER/12, PART=1, REULER=-90D,0D,0D\n"
     "PART/2, MASS=2, CM=20, IP=0.1,0.2,0.15\n"
     "MARKER/20, QP=0.5,0,0\n"
     "MARKER/21\n";
@@ -43,7 +45,7 @@ TEST(PartInertia, ProductsArePositiveIntegrals) {
     const Mat33 expected(m * (b * b + c * c) / 12, 0, 0, 0, m * (a * a + c * c) / 12, 0, 0, 0,
                          m * (a * a + b * b) / 12);
     EXPECT_LT((central - expected).norm(), 1e-13);
-    EXPECT_EQ(findInertiaProblem(central, 1), "");
+    EXPECT_EQ(findMassProblem(3, central, 1), "");
 }
 
 // With the sign of the products turned the same figures are no inertia at all.
@@ -52,7 +54,7 @@ TEST(PartInertia, WrongSignOfProductsIsNoticed) {
     part.mass = 3;
     part.X_BC = Transform(Vec3(0.5, 1, 2));
     part.ip = {20, 17, 5, -1.5, -3, -6};
-    EXPECT_NE(findInertiaProblem(calcCentralInertia(part), 1), "");
+    EXPECT_NE(findMassProblem(3, calcCentralInertia(part), 1), "");
 }
 
 TEST(PartInertia, IsTurnedFromTheAxesOfIM) {
@@ -63,28 +65,54 @@ TEST(PartInertia, IsTurnedFromTheAxesOfIM) {
     EXPECT_LT((calcCentralInertia(part) - Mat33(2, 0, 0, 0, 1, 0, 0, 0, 3)).norm(), 1e-14);
 }
 
-TEST(PartInertia, ReachesTheBody) {
+TEST(PartInertia, ReachesTheBodyAtTheMassCentre) {
     const Mechanism mechanism = buildOrFail(
         "t\nPART/1,GROUND\nPART/2, MASS=3, CM=20, IM=21, IP=20,17,5,1.5,3,6\n"
         "MARKER/20, QP=0.5,1,2\nMARKER/21\n");
     const SimTK::State state = mechanism.getSystem().realizeTopology();
     const SimTK::MassProperties& mp = mechanism.getParts()[1].body.getBodyMassProperties(state);
     EXPECT_DOUBLE_EQ(mp.getMass(), 3);
-    EXPECT_LT((mp.getMassCenter() - Vec3(0.5, 1, 2)).norm(), 1e-15);
-    const Mat33 aboutOrigin = Mat33(mp.getInertia().toMat33());
-    EXPECT_LT((aboutOrigin - Mat33(20, -1.5, -3, -1.5, 17, -6, -3, -6, 5)).norm(), 1e-12);
+    EXPECT_EQ(mp.getMassCenter(), Vec3(0));
+    // As in ProductsArePositiveIntegrals: a box of 1 x 2 x 4, about its centre.
+    EXPECT_LT((Mat33(mp.getInertia().toMat33()) - Mat33(5, 0, 0, 0, 4.25, 0, 0, 0, 1.25)).norm(), 1e-13);
+    EXPECT_EQ(mechanism.getParts()[1].bcs.getPose().p(), Vec3(-0.5, -1, -2));
+}
+
+// Rotational energy does not suffer from an origin a thousand kilometres away.
+TEST(PartInertia, AFarOriginCostsNothing) {
+    const Mechanism mechanism = buildOrFail(
+        "t\nPART/1,GROUND\nPART/2, MASS=3, CM=20, IP=1E-3,1E-3,1E-3\nMARKER/20, QP=1E6,0,0\nMARKER/21, "
+        "QP=1E6,1,0\n");
+    SimTK::State state = mechanism.getSystem().realizeTopology();
+    state.updU()[2] = 10;
+    mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
+    EXPECT_DOUBLE_EQ(mechanism.getSystem().calcKineticEnergy(state), 0.05);
 }
 
 TEST(PartInertia, ImpossibleOnesAreErrorsAtThePart) {
+    const std::string mm = "t\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\n";
+    const std::string rest = "MARKER/20\nPART/1,GROUND\nEND\n";
     Diagnostics diagnostics;
+    EXPECT_FALSE(buildFromText(mm + "  PART/2, MASS=1, CM=20, IP=1,1,5\n" + rest, diagnostics));
+    EXPECT_EQ(
+        formatAll(diagnostics),
+        "3:3: error: PART/2: no body can have this MASS and IP: its largest principal moment about the mass "
+        "centre (5) is larger than the sum of the other two (2); check MASS, IP, IM and CM\n");
+    diagnostics.clear();
+    EXPECT_FALSE(buildFromText(mm + "PART/2, MASS=1, CM=20, IP=1,1,-5\n" + rest, diagnostics));
+    EXPECT_EQ(
+        formatAll(diagnostics),
+        "3:1: error: PART/2: no body can have this MASS and IP: one of its principal moments about the mass "
+        "centre is negative (-5); check MASS, IP, IM and CM\n");
+    diagnostics.clear();
     EXPECT_FALSE(
-        buildFromText("t\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\n"
-                      "  PART/2, MASS=1, CM=20, IP=1,1,5\nMARKER/20\nPART/1,GROUND\nEND\n",
+        buildFromText("t\nPART/2, MASS=1E300, CM=20, IM=21, IP=1,1,1\nMARKER/20, QP=1E300,0,0\nMARKER/21\n"
+                      "PART/1,GROUND\nEND\n",
                       diagnostics));
-    EXPECT_EQ(formatAll(diagnostics),
-              "3:3: error: PART/2: no body can have this IP: its largest principal moment about the mass "
-              "centre (5) "
-              "is larger than the sum of the other two (2); check IP, IM and CM\n");
+    EXPECT_EQ(
+        formatAll(diagnostics),
+        "2:1: error: PART/2: no body can have this MASS and IP: mass or inertia about the mass centre is too "
+        "large to be a number; check MASS, IP, IM and CM\n");
 }
 
 TEST(PartInertia, MasslessPartsAreBuiltWithAWarning) {
@@ -95,59 +123,79 @@ TEST(PartInertia, MasslessPartsAreBuiltWithAWarning) {
                       diagnostics));
     EXPECT_EQ(
         formatAll(diagnostics),
-        "5:1: warning: PART/3 has no mass; 2e-07 kg is used so that the equations can be solved\n"
-        "7:1: warning: PART/4 has no inertia about some axis; 5e-08 kg m^2 is used so that the equations can "
-        "be solved\n");
+        "5:1: warning: PART/3 has no mass; MASS=2e-07 is used so that the equations can be solved\n"
+        "7:1: warning: PART/4 has no inertia about some axis; a little is used so that the equations can be "
+        "solved\n");
 }
 
-//-------------------------------------------------------------------------------------- flipped axes
-struct Flip {
-    const char* statement;
-    const char* error;  // empty: no error
+// Only what is zero is replaced, however small it is beside the part's reach.
+TEST(PartInertia, SmallOnesStay) {
+    const Mat33 small(4e-11, 0, 0, 0, 4e-11, 0, 0, 0, 4e-11);
+    const SolvableMass used = makeSolvable(1, small, 100, 1);
+    EXPECT_FALSE(used.massReplaced || used.inertiaReplaced);
+    EXPECT_EQ((used.inertia - small).norm(), 0);
+    EXPECT_TRUE(makeSolvable(1, Mat33(1, 0, 0, 0, 1, 0, 0, 0, 0), 100, 1).inertiaReplaced);
+}
+
+TEST(BuildMechanism, WhatGroundCannotHaveIsAWarning) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(buildFromText("t\nPART/1,GROUND,EXACT=X\nEND\n", diagnostics));
+    EXPECT_EQ(formatAll(diagnostics),
+              "2:1: warning: PART/1 is GROUND: its mass, inertia, velocities and EXACT have no effect\n");
+}
+
+//----------------------------------------------------------------------------------- misaligned axes
+struct Misalignment {
+    std::string statement;  // begins in column 2
+    std::string error;      // behind the statement's name and type; empty: no error
 };
 
-class FlippedAxes : public ::testing::TestWithParam<Flip> {};
+const std::string ZFlipped =
+    "the z axes of I=21 and J=11 are 180 degrees apart, nearer to opposite than to equal; turn one of the "
+    "markers "
+    "so that they point the same way";
+const std::string Flipped =
+    "the axes of I=21 and J=11 are 180 degrees apart, nearer to opposite than to equal; turn one of the "
+    "markers "
+    "so that they point the same way";
 
-TEST_P(FlippedAxes, AreErrorsAtTheStatement) {
+class MisalignedAxes : public ::testing::TestWithParam<Misalignment> {};
+
+TEST_P(MisalignedAxes, AreErrorsAtTheStatement) {
+    const auto& [statement, error] = GetParam();
     Diagnostics diagnostics;
-    const bool built = bool(buildFromText(Preamble + GetParam().statement + "\nEND\n", diagnostics));
-    EXPECT_EQ(formatAll(diagnostics), GetParam().error);
-    EXPECT_EQ(built, std::string(GetParam().error).empty());
+    const bool built = bool(buildFromText(Preamble + " " + statement + "\nEND\n", diagnostics));
+    // "JPRIM/3, INLINE, …" is called "JPRIM/3 INLINE".
+    const size_t comma = statement.find(','), second = statement.find(',', comma + 1);
+    const std::string name = statement.substr(0, comma) + statement.substr(comma + 1, second - comma - 1);
+    EXPECT_EQ(formatAll(diagnostics), error.empty() ? "" : "9:2: error: " + name + ": " + error + "\n");
+    EXPECT_EQ(built, error.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Statements, FlippedAxes,
+    Statements, MisalignedAxes,
     ::testing::Values(
-        Flip{"JPRIM/3, PARALLEL_AXES, I=21, J=11",
-             "8:1: error: JPRIM/3 PARALLEL_AXES: the z axes of I=21 and J=11 are 180 degrees apart and would "
-             "assemble flipped; turn one of the markers so that they point the same way\n"},
-        Flip{"JPRIM/3, ORIENTATION, I=21, J=11",
-             "8:1: error: JPRIM/3 ORIENTATION: the axes of I=21 and J=11 are 180 degrees apart and would "
-             "assemble flipped; turn one of the markers so that they point the same way\n"},
-        Flip{" JOINT/4, REVOLUTE, I=11, J=21",
-             "8:2: error: JOINT/4 REVOLUTE: the z axes of I=11 and J=21 are 180 degrees apart and would "
-             "assemble "
-             "flipped; turn one of the markers so that they point the same way\n"},
-        Flip{"JOINT/4, CYLINDRICAL, I=11, J=21",
-             "8:1: error: JOINT/4 CYLINDRICAL: the z axes of I=11 and J=21 are 180 degrees apart and would "
-             "assemble "
-             "flipped; turn one of the markers so that they point the same way\n"},
-        Flip{"JOINT/4, PLANAR, I=11, J=21",
-             "8:1: error: JOINT/4 PLANAR: the z axes of I=11 and J=21 are 180 degrees apart and would "
-             "assemble "
-             "flipped; turn one of the markers so that they point the same way\n"},
-        Flip{"JOINT/4, TRANSLATIONAL, I=11, J=21",
-             "8:1: error: JOINT/4 TRANSLATIONAL: the axes of I=11 and J=21 are 180 degrees apart and would "
-             "assemble "
-             "flipped; turn one of the markers so that they point the same way\n"},
-        Flip{"JOINT/4, FIXED, I=11, J=21",
-             "8:1: error: JOINT/4 FIXED: the axes of I=11 and J=21 are 180 degrees apart and would assemble "
-             "flipped; turn one of the markers so that they point the same way\n"},
-        // No sense to be wrong about.
-        Flip{"JOINT/4, SPHERICAL, I=11, J=21", ""}, Flip{"JPRIM/3, INLINE, I=11, J=21", ""},
-        Flip{"JPRIM/3, PARALLEL_AXES, I=21, J=10", ""}));
+        Misalignment{"JPRIM/3, PARALLEL_AXES, I=21, J=11", ZFlipped},
+        Misalignment{"JPRIM/3, ORIENTATION, I=21, J=11", Flipped},
+        Misalignment{"JOINT/4, REVOLUTE, I=21, J=11", ZFlipped},
+        Misalignment{"JOINT/4, CYLINDRICAL, I=21, J=11", ZFlipped},
+        Misalignment{"JOINT/4, PLANAR, I=21, J=11", ZFlipped},
+        Misalignment{"JOINT/4, TRANSLATIONAL, I=21, J=11", Flipped},
+        Misalignment{"JOINT/4, FIXED, I=21, J=11", Flipped},
+        Misalignment{"JPRIM/3, PERPENDICULAR, I=21, J=10",
+                     "the z axis of I=21 and the z axis of J=10 must be perpendicular but are parallel; "
+                     "turn one of the markers"},
+        Misalignment{"JOINT/4, UNIVERSAL, I=21, J=11",
+                     "the z axis of I=21 and the z axis of J=11 must be perpendicular but are parallel; "
+                     "turn one of the markers"},
+        Misalignment{"JOINT/4, HOOKE, I=21, J=12",
+                     "the x axis of I=21 and the y axis of J=12 must be perpendicular but are parallel; "
+                     "turn one of the markers"},
+        // Nothing to be wrong about.
+        Misalignment{"JOINT/4, SPHERICAL, I=21, J=11", ""}, Misalignment{"JPRIM/3, INLINE, I=21, J=11", ""},
+        Misalignment{"JPRIM/3, PARALLEL_AXES, I=21, J=10", ""}));
 
-TEST(FlippedAxes, TheGivenPoseOfThePartCounts) {
+TEST(MisalignedAxes, TheGivenPoseOfThePartCounts) {
     Diagnostics diagnostics;
     const std::string text =
         "t\nPART/1,GROUND\nMARKER/10\nPART/2, MASS=1, CM=20, IP=1,1,1, REULER=0,100D,0\nMARKER/20\n"
@@ -181,6 +229,26 @@ TEST(BuildMechanism, UcfAgainstTheNamedUnitsIsAWarning) {
     EXPECT_EQ(
         formatAll(diagnostics),
         "2:1: warning: UCF=1 does not fit the named units, whose factor is 1000; the named units are used\n");
+}
+
+// The unit suits the largest reach of a part; reactions by number are in newtons all the same.
+TEST(BuildMechanism, LengthUnitSuitsTheMechanism) {
+    const auto build = [](const std::string& units, double reach) {
+        return buildOrFail(
+            fmt::format("t\nUNITS/SYSTEM={}\nACCGRAV/KGRAV=-10\nPART/1,GROUND\nMARKER/10\n"
+                        "PART/2,MASS=2,CM=20,IP=1,1,1\nMARKER/20\nMARKER/21,QP={},0,0\n"
+                        "JOINT/1,FIXED,I=20,J=10\nEND\n",
+                        units, reach));
+    };
+    EXPECT_DOUBLE_EQ(build("MKS", 0.05).getLengthUnit(), 1);
+    EXPECT_DOUBLE_EQ(build("MKS", 20).getLengthUnit(), 1);
+    EXPECT_DOUBLE_EQ(build("MKS", 0.01).getLengthUnit(), 1e-3);
+    EXPECT_DOUBLE_EQ(build("CGS", 1).getLengthUnit(), 1e-3);
+    EXPECT_DOUBLE_EQ(build("MKS", 1e-6).getLengthUnit(), 1e-6);
+    const Mechanism small = build("MKS", 1e-6);
+    SimTK::State state = small.getSystem().realizeTopology();
+    small.getSystem().realize(state, SimTK::Stage::Acceleration);
+    EXPECT_NEAR(small.calcJOINT(state, 1, 0, 4), 20, 1e-10);
 }
 
 TEST(BuildMechanism, ADisplacedGroundCarriesItsMarkers) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "jprim/base/error.h"
 #include "jprim/marker/angles.h"
 #include "support/run_dataset.h"
@@ -17,7 +19,7 @@ using SimTK::Vec3;
 using testing::buildOrFail;
 
 Transform getPose(const AssembledState& assembled, const MechanismPart& part) {
-    return part.body.getBodyTransform(assembled.state);
+    return part.bcs.findPoseInGround(assembled.state);
 }
 
 SpatialVec getVelocity(const AssembledState& assembled, const MechanismPart& part) {
@@ -85,6 +87,31 @@ TEST(Assemble, APartThatIsAllExactDoesNotMoveAtAll) {
     EXPECT_EQ(assembled.moved[0].id, 3);
 }
 
+// A crank in the plane, its hinge 0.2 out of place: translation alone mends it, whatever angle is held.
+class ExactAngles : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ExactAngles, AreHeldWhereTheAnglesAreSingular) {
+    for (const int degrees : {0, 5, 20, 45, 80}) {
+        SCOPED_TRACE(degrees);
+        const Mechanism mechanism =
+            buildOrFail("crank\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1,QG=0.2,0,0,REULER=" +
+                        std::to_string(degrees) + "D,0D,0D,EXACT=" + GetParam() +
+                        "\nMARKER/20,QP=0.3,0,0\nMARKER/21\nJOINT/1,REVOLUTE,I=21,J=10\nEND\n");
+        const AssembledState assembled = assemble(mechanism);
+        const Transform X = getPose(assembled, mechanism.getParts()[1]);
+        const SimTK::Rotation turn = ~mechanism.getParts()[1].givenPose.R() * X.R();
+        EXPECT_LT(X.p().norm(), 1e-7);
+        EXPECT_LT(std::abs(turn.convertRotationToAngleAxis()[0]), 1e-7);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Held, ExactAngles, ::testing::Values("PSI", "PHI", "PSI:THETA:PHI", "PSI:THETA"),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             std::replace(name.begin(), name.end(), ':', '_');
+                             return name;
+                         });
+
 TEST(Assemble, FailureNamesTheElementAndWhatIsLeft) {
     const Mechanism mechanism = buildOrFail(
         "t\nPART/1,GROUND\nMARKER/10\nMARKER/11,QP=3,0,0\nPART/2,MASS=1,CM=20,IP=1,1,1\nMARKER/20\nMARKER/"
@@ -99,7 +126,31 @@ TEST(Assemble, FailureNamesTheElementAndWhatIsLeft) {
         EXPECT_NE(text.find("the parts cannot be assembled from their given positions; an error of"),
                   std::string::npos)
             << text;
+        EXPECT_EQ(text.find("EXACT"), std::string::npos);
     }
+}
+
+TEST(Assemble, FailureSaysWhatIsHeld) {
+    const Mechanism mechanism = buildOrFail(makeTwoRods("", ", EXACT=X:Y:Z:PSI:THETA:PHI"));
+    try {
+        assemble(mechanism);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("is left, with coordinates of PART/3 held by EXACT"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+// A gap of 0.9 nm on parts of 1 nm is a gap.
+TEST(Assemble, TolerancesSuitTheSize) {
+    const Mechanism mechanism = buildOrFail(
+        "t\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=NANOMETER,TIME=SECOND\nPART/1,GROUND\nMARKER/10\n"
+        "PART/2,MASS=1,CM=20,IP=1,1,1,QG=0.9,0,0\nMARKER/20\nMARKER/21,QP=1,0,0\nJPRIM/"
+        "1,ATPOINT,I=20,J=10\nEND\n");
+    const AssembledState assembled = assemble(mechanism);
+    ASSERT_EQ(assembled.moved.size(), 1u);
+    EXPECT_NEAR(assembled.moved[0].distance / mechanism.getUnits().length, 0.9, 1e-6);
 }
 
 //---------------------------------------------------------------------------------- initial velocities

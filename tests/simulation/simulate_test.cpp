@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "jprim/base/error.h"
+#include "support/bead_on_swing.h"
 #include "support/run_dataset.h"
 
 namespace jprim {
@@ -14,103 +15,6 @@ namespace {
 
 using SimTK::Vec3;
 using testing::buildOrFail;
-
-double findLargest(const std::vector<double>& values) {
-    double largest = 0;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
-    return largest;
-}
-
-//---------------------------------------------------------------------------------------------- units
-// A bead on a straight wire that is part of a swinging frame, with products of inertia, initial velocities
-// and every kind of request, written in any units: L, M, T are what 1 m, 1 kg and 1 s are in them.
-std::string makeBeadOnSwing(const std::string& units, double L, double M, double T) {
-    const auto point = [L](double x, double y, double z) {
-        return fmt::format("{},{},{}", x * L, y * L, z * L);
-    };
-    const double I = M * L * L;
-    return fmt::format("bead on a swing\n{}\nACCGRAV/JGRAV={}\n", units, -9.81 * L / (T * T)) +
-           "PART/1,GROUND\nMARKER/10,QP=" + point(0.3, 1, 0.2) +
-           fmt::format("\nPART/2,QG={},MASS={},CM=20,IP={},{},{},{},{},{},WZ={}\n", point(0.3, 1, 0.2), 2 * M,
-                       0.2 * I, 0.3 * I, 0.25 * I, 0.01 * I, -0.02 * I, 0.015 * I, 0.7 / T) +
-           "MARKER/20,QP=" + point(0.1, -0.4, 0.05) +
-           "\nMARKER/21\nMARKER/22,REULER=80D,75D,10D,QP=" + point(0.1, -0.5, 0) +
-           fmt::format("\nPART/3,QG={},REULER=80D,75D,10D,MASS={},CM=30,IP={},{},{},VX={}\n",
-                       point(0.4, 0.5, 0.2), 0.5 * M, 0.01 * I, 0.02 * I, 0.015 * I, 0.2 * L / T) +
-           "MARKER/30\nMARKER/31\n"
-           "JOINT/1,REVOLUTE,I=21,J=10\nJPRIM/2,INLINE,I=31,J=22\nJPRIM/3,PARALLEL_AXES,I=31,J=22\n"
-           "REQUEST/1,DISPLACEMENT,I=30,J=10,RM=22\nREQUEST/2,VELOCITY,I=30,J=22,RM=22\n"
-           "REQUEST/3,ACCELERATION,I=30,J=10\nREQUEST/4,FORCE,I=31,J=22,RM=22\nREQUEST/"
-           "5,FORCE,I=10,J=21\nEND\n";
-}
-
-// Millimetre, kilogram, newton, second is Adams' default. Conversion to SI and back is rounding.
-constexpr double UnitTolerance = 1e-9;
-
-TEST(Units, MillimetresAndMetresGiveTheSamePhysics) {
-    const Mechanism inM = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
-    const Mechanism inMm = buildOrFail(
-        makeBeadOnSwing("UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND", 1000, 1, 1));
-    const Results m = testing::run(inM, 1, 20, 1e-8).results;
-    const Results mm = testing::run(inMm, 1, 20, 1e-8).results;
-    const std::vector<std::string> lengths = {".X",
-                                              ".Y",
-                                              ".Z",
-                                              ".MAG",
-                                              ".VX",
-                                              ".VY",
-                                              ".VZ",
-                                              ".VM",
-                                              ".ACCX",
-                                              ".ACCY",
-                                              ".ACCZ",
-                                              ".ACCM",
-                                              ".TX",
-                                              ".TY",
-                                              ".TZ",
-                                              ".TM",
-                                              "energy.kinetic",
-                                              "energy.potential",
-                                              "energy.total"};
-    const auto isLength = [&lengths](const std::string& name) {
-        return std::any_of(lengths.begin(), lengths.end(), [&name](const std::string& end) {
-            return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-        });
-    };
-    int compared = 0;
-    for (const auto& [tableM, tableMm] :
-         {std::pair(&m.requests, &mm.requests), std::pair(&m.reactions, &mm.reactions),
-          std::pair(&m.parts, &mm.parts)}) {
-        ASSERT_EQ(tableM->columns, tableMm->columns);
-        for (const std::string& name : tableM->columns) {
-            const std::vector<double> a = tableM->getColumn(name), b = tableMm->getColumn(name);
-            const double factor = isLength(name) ? 1e-3 : 1;
-            for (size_t row = 0; row < a.size(); ++row)
-                ASSERT_NEAR(a[row], factor * b[row], UnitTolerance * (1e-3 + findLargest(a)))
-                    << name << " row " << row;
-            ++compared;
-        }
-    }
-    EXPECT_GT(compared, 80);
-}
-
-// Slugs, feet and minutes, where even the time axis differs.
-TEST(Units, TimeAndForceUnitsAreConverted) {
-    const double ft = 1 / 0.3048, lb = 1 / 0.45359237, lbf = 1 / 4.4482216152605, minute = 1. / 60;
-    const Mechanism inM = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
-    const Mechanism inFt = buildOrFail(
-        makeBeadOnSwing("UNITS/FORCE=POUND_FORCE,MASS=POUND_MASS,LENGTH=FOOT,TIME=MINUTE", ft, lb, minute));
-    const Results m = testing::run(inM, 1, 10, 1e-8).results;
-    const Results feet = testing::run(inFt, minute, 10, 1e-8).results;
-    EXPECT_NEAR(feet.parts.getColumn("time").back(), minute, 1e-15);
-    EXPECT_NEAR(feet.parts.getColumn("PART/3.X").back() / ft, m.parts.getColumn("PART/3.X").back(), 1e-9);
-    EXPECT_NEAR(feet.parts.getColumn("PART/3.VX").back() / ft * minute, m.parts.getColumn("PART/3.VX").back(),
-                1e-9);
-    EXPECT_NEAR(feet.reactions.getColumn("JPRIM/2.I.FX").back() / lbf,
-                m.reactions.getColumn("JPRIM/2.I.FX").back(), 1e-7);
-    EXPECT_NEAR(feet.parts.getColumn("energy.total").back() / (ft * lbf),
-                m.parts.getColumn("energy.total").back(), 1e-8);
-}
 
 //---------------------------------------------------------------------------------- a known mechanism
 // The statement of the Adams documentation, with its leading zeros, in a mechanism that slides: a block on a
@@ -142,7 +46,7 @@ TEST(Simulate, ForceRequestsLookFromTheirOwnMarker) {
 }
 
 TEST(Simulate, ColumnsAreNamedAsPromised) {
-    const Mechanism mechanism = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
+    const Mechanism mechanism = buildOrFail(testing::makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
     const Results results = testing::run(mechanism, 0.1, 1, 1e-6).results;
     const std::string requests = fmt::format("{}", fmt::join(results.requests.columns, " "));
     EXPECT_EQ(
@@ -163,7 +67,7 @@ TEST(Simulate, ColumnsAreNamedAsPromised) {
 }
 
 TEST(Simulate, SummaryTellsWhatHappened) {
-    const Mechanism mechanism = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
+    const Mechanism mechanism = buildOrFail(testing::makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
     double lastProgress = 0;
     SimulationOptions options;
     options.end = 1;
@@ -180,7 +84,7 @@ TEST(Simulate, SummaryTellsWhatHappened) {
 
 //------------------------------------------------------------------------------------------- failures
 TEST(Simulate, EveryIntegratorAgrees) {
-    const Mechanism mechanism = buildOrFail(makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
+    const Mechanism mechanism = buildOrFail(testing::makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
     const double exact = testing::run(mechanism, 0.5, 5, 1e-9).results.parts.getColumn("PART/3.X").back();
     for (const std::string& name : getIntegratorNames()) {
         SimulationOptions options;
@@ -195,8 +99,8 @@ TEST(Simulate, EveryIntegratorAgrees) {
 }
 
 TEST(Simulate, FailureNamesTheTimeAndKeepsTheResultsSoFar) {
-    const Mechanism mechanism = buildOrFail(
-        makeBeadOnSwing("UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=METER,TIME=MILLISECOND", 1, 1, 1000));
+    const Mechanism mechanism = buildOrFail(testing::makeBeadOnSwing(
+        "UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=METER,TIME=MILLISECOND", 1, 1, 1000));
     SimulationOptions options;
     options.end = 1000;  // ms
     options.steps = 10;

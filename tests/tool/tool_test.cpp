@@ -180,7 +180,11 @@ TEST_F(Tool, WrongUsageExitsWith2) {
                                             ok + " --steps 0",
                                             ok + " --integrator Euler",
                                             ok + " --accuracy 7",
-                                            ok + " --dtout 0.3"};
+                                            ok + " --dtout 0.3",
+                                            ok + " --dtout nan",
+                                            ok + " --accuracy nan",
+                                            "run " + model + " --end nan",
+                                            "run " + model + " --end 1e300"};
     for (const std::string& arguments : wrong) {
         const Outcome r = run(arguments);
         EXPECT_EQ(r.exitCode, 2) << arguments;
@@ -226,6 +230,13 @@ TEST_F(Tool, ResultsThatCannotBeWrittenFailWith1) {
         run("run " + write("p.adm", Pendulum) + " --end 1 --out " + (m_folder / "taken").string());
     EXPECT_EQ(r.exitCode, 1);
     EXPECT_NE(r.err.find("taken"), std::string::npos);
+}
+
+TEST_F(Tool, OutputThatIsLostFailsWith1) {
+    const std::string model = write("p.adm", Pendulum);
+    const int status =
+        std::system((std::string(JPRIM_TOOL) + " check " + model + " >/dev/full 2>/dev/null").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1);
 }
 
 TEST_F(Tool, CheckCounts) {

@@ -10,15 +10,16 @@
 namespace jprim {
 
 /// Makes a Simbody system of a dataset: every part a free body, every JPRIM and JOINT a set of primitives.
-/// Everything is converted to SI on the way.
+/// Everything is converted to the mechanism's units on the way.
 ///
 /// Simbody cannot solve for a body without inertia. A part without mass gets MasslessFraction of the lightest
-/// part's mass, spread over the part's size; a part with mass but no rotary inertia MasslessFraction of mass
-/// times size squared; each with a warning. Motion and reactions change by about that fraction.
+/// part's mass, spread over the part's size; a part with mass but a vanishing moment of inertia
+/// MasslessFraction of its largest, or if all vanish of mass times size squared; each with a warning. Motion
+/// and reactions of ordinary mechanisms change by about that fraction.
 ///
-/// Errors, at the statement: a marker's or part's axes that its points do not define; an IP that no body can
-/// have; I and J axes of a PARALLEL_AXES, ORIENTATION, REVOLUTE, CYLINDRICAL, TRANSLATIONAL, PLANAR or FIXED
-/// that are nearer to opposite than to equal (more than 90 degrees apart).
+/// Errors, at the statement: a marker's or part's axes that its points do not define; a MASS or IP that no
+/// body can have; I and J axes of a PARALLEL_AXES, ORIENTATION, REVOLUTE, CYLINDRICAL, TRANSLATIONAL, PLANAR
+/// or FIXED more than 90 degrees apart; bars of a PERPENDICULAR, UNIVERSAL or HOOKE that are parallel.
 ///
 /// @param      dataset      as read without errors
 /// @param[out] diagnostics  findings are appended

@@ -15,24 +15,30 @@
 #include "jprim/marker/marker.h"
 
 /// @file
-/// A dataset as a Simbody system, in SI, with the dataset's names for its pieces.
+/// A dataset as a Simbody system, with the dataset's names for its pieces. Its units are kg, s and a length
+/// unit of 1 m, or for mechanisms of other sizes the power of 1000 of it that suits them: see
+/// Mechanism::getLengthUnit().
 namespace jprim {
 
-/// A PART. Its body frame is the part's body coordinate system (BCS).
+/// A PART. Its body's frame has its origin at the mass centre and the axes of the part's body coordinate
+/// system (BCS).
 struct MechanismPart {
     int id = 0;
     SimTK::MobilizedBody body;
     bool ground = false;
-    /// At the mass centre; on ground or where no CM is given, the BCS.
+    /// The part's body coordinate system.
+    Marker bcs;
+    /// The CM marker; on ground or where no CM is given, the BCS.
     Marker cm;
     /// The given pose of the BCS in ground, and which of its coordinates assembly must not move.
     SimTK::Transform givenPose;
     std::array<bool, 6> exact{};
-    /// The given velocity of the mass centre along the axes of vm [m/s], and the given angular velocity about
-    /// the axes of wm [rad/s]; empty components are free.
+    /// The given velocity of the mass centre along the axes of vm [length unit/s], and the given angular
+    /// velocity about the axes of wm [rad/s]; empty components are free.
     std::array<std::optional<SimTK::Real>, 3> v, w;
     Marker vm, wm;
-    /// Largest distance of a marker from the mass centre [m]: what turns an angle into a displacement.
+    /// Largest distance of a marker from the mass centre [length unit]: what turns an angle into a
+    /// displacement.
     SimTK::Real size = 1;
 };
 
@@ -58,10 +64,12 @@ struct MechanismRequest {
 /// A mechanism owns its MultibodySystem. Movable, not copyable.
 class Mechanism {
 public:
-    /// Conversion factors of the dataset: value_SI = factor * value_dataset.
+    /// Conversion factors of the dataset: value in the system = factor * value in the dataset.
     const UnitSystem& getUnits() const { return m_units; }
+    /// The system's unit of length L [m]. Forces are then in L newtons, moments and energies in L^2 joules.
+    double getLengthUnit() const { return m_lengthUnit; }
     const std::string& getTitle() const { return m_title; }
-    /// Acceleration of gravity in Ground [m/s^2].
+    /// Acceleration of gravity in Ground [length unit/s^2].
     const SimTK::Vec3& getGravity() const { return m_gravity; }
 
     const SimTK::MultibodySystem& getSystem() const { return m_bodies->system; }
@@ -103,6 +111,7 @@ private:
 
     std::string m_title;
     UnitSystem m_units;
+    double m_lengthUnit = 1;
     SimTK::Vec3 m_gravity{0};
     std::unique_ptr<Bodies> m_bodies;
     std::vector<MechanismPart> m_parts;

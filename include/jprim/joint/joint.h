@@ -52,6 +52,7 @@ public:
     /// Switch all primitives off or on in this State. Requires Stage::Model.
     void disable(SimTK::State& state) const;
     void enable(SimTK::State& state) const;
+    /// True if all primitives are off.
     bool isDisabled(const SimTK::State& state) const;
 
     /// @name Total reaction

@@ -9,9 +9,10 @@
 
 namespace jprim {
 
-/// By how much position constraints are violated, and by which element most.
+/// By how much position constraints are violated, and by which element most. Lengths here and below are in
+/// the mechanism's length unit.
 struct Violation {
-    SimTK::Real length = 0;  ///< largest error of the translational equations [m]
+    SimTK::Real length = 0;  ///< largest error of the translational equations
     SimTK::Real angle = 0;   ///< largest error of the rotational equations [rad]
     std::string element;     ///< with the largest error of either kind; empty if there is none
 };
@@ -19,7 +20,7 @@ struct Violation {
 /// A part that assembly moved away from its given pose.
 struct MovedPart {
     int id = 0;
-    SimTK::Real distance = 0;  ///< of the mass centre [m]
+    SimTK::Real distance = 0;  ///< of the mass centre
     SimTK::Real angle = 0;     ///< [rad]
 };
 
@@ -45,7 +46,7 @@ Violation calcViolation(const Mechanism& mechanism, const SimTK::State& state);
 /// @throws Error naming the element that stays violated, if the constraints cannot be met
 AssembledState assemble(const Mechanism& mechanism);
 
-/// Lengths [m] and angles [rad] of constraint errors up to which given positions are taken as assembled.
+/// Lengths and angles [rad] of constraint errors up to which given positions are taken as assembled.
 constexpr double AssemblyTolerance = 1e-9;
 
 }  // namespace jprim

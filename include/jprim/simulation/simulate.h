@@ -25,7 +25,7 @@ struct SimulationOptions {
 /// The integrators of Simbody that can be named.
 std::vector<std::string> getIntegratorNames();
 
-/// How a simulation went. In SI.
+/// How a simulation went, in the mechanism's units.
 struct SimulationSummary {
     int degreesOfFreedom = 0;    ///< at the start
     int redundantEquations = 0;  ///< at the start

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of MechanismBuilder that makes bodies.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "build/frames.h"
+#include "build/mechanism_builder.h"
+#include "build/part_mass.h"
+
+namespace jprim {
+
+using SimTK::Body;
+using SimTK::Mat33;
+using SimTK::MobilizedBody;
+using SimTK::Real;
+using SimTK::Transform;
+using SimTK::Vec3;
+
+void MechanismBuilder::addParts() {
+    Real lightest = SimTK::Infinity;
+    for (const PartStatement& part : m_dataset.parts)
+        if (part.mass.value_or(0) > 0) lightest = std::min(lightest, *part.mass * m_mechanism.m_units.mass);
+    if (lightest == SimTK::Infinity) lightest = 1;
+    for (const PartStatement& part : m_dataset.parts) addPart(part, lightest);
+}
+
+Real MechanismBuilder::calcSize(const PartStatement& statement, const Vec3& p_BC) const {
+    Real size = 0;
+    const auto markers = m_markersOfPart.find(statement.id);
+    if (markers != m_markersOfPart.end())
+        for (const int id : markers->second) size = std::max(size, (m_markerPoses.at(id).p() - p_BC).norm());
+    return size > 0 ? size : 1;
+}
+
+// The Simbody body has its origin at the mass centre and the axes of the BCS: rotation and translation of a
+// free body are then uncoupled, and nothing is lost where a dataset gives every part the same far-away
+// origin.
+void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass) {
+    const UnitSystem& units = m_mechanism.m_units;
+    MechanismPart part;
+    part.id = statement.id;
+    part.ground = statement.ground;
+    part.exact = statement.exact;
+
+    std::string problem;
+    part.givenPose =
+        makeFrame({statement.qg, statement.reuler, statement.zg, statement.xg, false}, units.length, problem);
+    if (!problem.empty())
+        report(Severity::Error, statement.where, fmt::format("PART/{}: {}", part.id, problem));
+
+    MobilizedBody& ground = m_mechanism.m_bodies->matter.updGround();
+    if (part.ground) {
+        checkGround(statement);
+        part.body = ground;
+        part.bcs = part.cm = part.vm = part.wm = Marker(ground, part.givenPose);
+    } else {
+        const Transform X_PC = getMarkerPose(statement.cm);  // P: the BCS
+        part.size = calcSize(statement, X_PC.p());
+        const Body::Rigid rigid = makeBody(statement, X_PC, part.size, lightestMass);
+        MobilizedBody::Free body(ground, rigid);
+        body.setDefaultTransform(part.givenPose * Transform(X_PC.p()));
+        part.body = body;
+        part.bcs = Marker(body, Transform(-X_PC.p()));
+        part.cm = Marker(body, Transform(X_PC.R()));
+    }
+    for (int k = 0; k < 3; ++k) {
+        if (statement.v[k]) part.v[k] = *statement.v[k] * units.getVelocity();
+        if (statement.w[k]) part.w[k] = *statement.w[k] * units.getAngularVelocity();
+    }
+    m_partIndex[part.id] = int(m_mechanism.m_parts.size());
+    m_mechanism.m_parts.push_back(part);
+}
+
+void MechanismBuilder::checkGround(const PartStatement& s) {
+    const auto given = [](const auto& values) {
+        return std::any_of(values.begin(), values.end(), [](const auto& value) { return bool(value); });
+    };
+    if (s.mass || s.ip || s.cm != 0 || s.im != 0 || given(s.v) || given(s.w) || given(s.exact))
+        report(
+            Severity::Warning, s.where,
+            fmt::format("PART/{} is GROUND: its mass, inertia, velocities and EXACT have no effect", s.id));
+}
+
+Body::Rigid MechanismBuilder::makeBody(const PartStatement& statement, const Transform& X_PC, Real size,
+                                       Real lightestMass) {
+    const UnitSystem& units = m_mechanism.m_units;
+    PartMass part{statement.mass.value_or(0) * units.mass, X_PC,
+                  statement.im == 0 ? X_PC : getMarkerPose(statement.im), statement.ip};
+    if (part.ip)
+        for (double& value : *part.ip) value *= units.getInertia();
+
+    const Mat33 given = calcCentralInertia(part);
+    const std::string problem = findMassProblem(part.mass, given, units.getInertia());
+    if (!problem.empty()) {
+        report(Severity::Error, statement.where,
+               fmt::format("PART/{}: no body can have this MASS and IP: {}; check MASS, IP, IM and CM",
+                           statement.id, problem));
+        return Body::Rigid();
+    }
+    const SolvableMass used = makeSolvable(part.mass, given, size, lightestMass);
+    if (used.massReplaced)
+        report(Severity::Warning, statement.where,
+               fmt::format("PART/{} has no mass; MASS={:.3g} is used so that the equations can be solved",
+                           statement.id, used.mass / units.mass));
+    else if (used.inertiaReplaced)
+        report(Severity::Warning, statement.where,
+               fmt::format(
+                   "PART/{} has no inertia about some axis; a little is used so that the equations can be "
+                   "solved",
+                   statement.id));
+    const Mat33& I = used.inertia;
+    return Body::Rigid(SimTK::MassProperties(
+        used.mass, Vec3(0), SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))));
+}
+
+}  // namespace jprim

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_BUILD_MECHANISM_BUILDER_H_
+#define JPRIM_SRC_BUILD_MECHANISM_BUILDER_H_
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "jprim/base/diagnostic.h"
+#include "jprim/build/mechanism.h"
+
+namespace jprim {
+
+/// One pass over the dataset in the order in which things need each other: units, gravity, marker poses,
+/// parts, markers, joints, requests.
+class MechanismBuilder {
+public:
+    MechanismBuilder(const Dataset& dataset, Diagnostics& diagnostics)
+        : m_dataset(dataset), m_diagnostics(diagnostics) {}
+
+    std::optional<Mechanism> build() {
+        m_mechanism.m_title = m_dataset.title;
+        chooseUnits();
+        findMarkerPoses();
+        addGravity();
+        addParts();
+        if (m_failed) return std::nullopt;
+        addMarkers();
+        checkAxes();
+        if (m_failed) return std::nullopt;
+        addConnections();
+        addRequests();
+        return std::move(m_mechanism);
+    }
+
+private:
+    void report(Severity severity, const SourcePosition& where, const std::string& message) {
+        m_failed = m_failed || severity == Severity::Error;
+        m_diagnostics.push_back({severity, where, message});
+    }
+
+    void chooseUnits();
+    void applyUcf(const UnitsStatement& statement);
+    void findMarkerPoses();
+    void addGravity();
+    void addParts();
+    void addPart(const PartStatement& statement, SimTK::Real lightestMass);
+    void checkGround(const PartStatement& statement);
+    SimTK::Body::Rigid makeBody(const PartStatement& statement, const SimTK::Transform& X_BC,
+                                SimTK::Real size, SimTK::Real lightestMass);
+    void addMarkers();
+    void checkAxes();
+    void addConnections();
+    void addRequests();
+    MechanismRequest makeRequest(const RequestStatement& statement) const;
+
+    const MarkerStatement* findMarker(int id) const {
+        const auto found = m_markerStatements.find(id);
+        return found == m_markerStatements.end() ? nullptr : found->second;
+    }
+    SimTK::Transform getMarkerPose(int id) const {
+        return id == 0 ? SimTK::Transform() : m_markerPoses.at(id);
+    }
+    SimTK::Real calcSize(const PartStatement& statement, const SimTK::Vec3& p_BC) const;
+
+    const Dataset& m_dataset;
+    Diagnostics& m_diagnostics;
+    bool m_failed = false;
+    Mechanism m_mechanism;
+    std::unordered_map<int, const MarkerStatement*> m_markerStatements;
+    std::unordered_map<int, SimTK::Transform> m_markerPoses;
+    std::unordered_map<int, std::vector<int>> m_markersOfPart;
+    std::unordered_map<int, int> m_partIndex;
+};
+
+}  // namespace jprim
+
+#endif
