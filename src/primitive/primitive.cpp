@@ -23,11 +23,11 @@ PrimitiveImpl& Primitive::updImpl() {
 }
 
 const std::string& Primitive::getName() const {
-    return getImpl().m_name;
+    return getImpl().getName();
 }
 
 Primitive& Primitive::setName(const std::string& name) {
-    updImpl().m_name = name;
+    updImpl().setName(name);
     return *this;
 }
 

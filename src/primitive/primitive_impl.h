@@ -52,7 +52,8 @@ public:
     /// Load [moment, force] that the multipliers put on I, in J's axes at I's origin.
     SimTK::SpatialVec calcLoadOnI(const SimTK::State& state, const MarkerPair& pair) const;
 
-    std::string m_name;
+    const std::string& getName() const { return m_name; }
+    void setName(const std::string& name) { m_name = name; }
 
 protected:
     enum class Kind { Translational, Rotational };
@@ -101,6 +102,7 @@ private:
     SimTK::Real multiply(const Row& row, const SimTK::SpatialVec& motionI,
                          const SimTK::SpatialVec& motionJ) const;
 
+    std::string m_name;
     const char* m_adamsType;
     bool m_isTranslational;
     int m_numEquations;

@@ -13,18 +13,19 @@ namespace jprim::tool {
 namespace {
 
 struct CheckReport {
-    Dataset dataset;
+    Model model;
     ConstraintReport constraints;
     AssembledState assembled;
 };
 
-void printText(const CheckReport& r, const UnitSystem& units) {
-    const std::string length = getLengthName(r.dataset);
+void printText(const CheckReport& r) {
+    const UnitSystem& units = r.model.mechanism->getUnits();
+    const std::string length = getLengthName(r.model.dataset);
     const auto printViolation = [&](const char* when, const Violation& v) {
         fmt::print("constraint error {:<8}{:.3g} {}, {:.3g} rad{}\n", when, v.length / units.length, length,
                    v.angle, v.element.empty() ? "" : fmt::format(" (at {})", v.element));
     };
-    const Dataset& d = r.dataset;
+    const Dataset& d = r.model.dataset;
     fmt::print("statements              {} built, {} ignored by rule\n", d.counts.built, d.counts.ignored);
     fmt::print("parts                   {} (ground included)\n", d.parts.size());
     fmt::print("markers                 {}\n", d.markers.size());
@@ -41,7 +42,8 @@ void printText(const CheckReport& r, const UnitSystem& units) {
                    part.distance / units.length, length, part.angle);
 }
 
-void printJson(const CheckReport& r, const UnitSystem& units) {
+void printJson(const CheckReport& r) {
+    const UnitSystem& units = r.model.mechanism->getUnits();
     const auto violation = [&units](const Violation& v) {
         return nlohmann::ordered_json{
             {"length", v.length / units.length}, {"angle", v.angle}, {"element", v.element}};
@@ -50,7 +52,7 @@ void printJson(const CheckReport& r, const UnitSystem& units) {
     for (const MovedPart& part : r.assembled.moved)
         moved.push_back(
             {{"part", part.id}, {"distance", part.distance / units.length}, {"angle", part.angle}});
-    const Dataset& d = r.dataset;
+    const Dataset& d = r.model.dataset;
     const nlohmann::ordered_json json = {
         {"usable", true},
         {"statements",
@@ -69,8 +71,19 @@ void printJson(const CheckReport& r, const UnitSystem& units) {
     fmt::print("{}\n", json.dump(2));
 }
 
-ExitCode printUnusable(const CheckArguments& arguments) {
-    if (arguments.json) fmt::print("{}\n", nlohmann::ordered_json{{"usable", false}}.dump(2));
+// What went to standard error as text, once more for machines.
+ExitCode printUnusable(const CheckArguments& arguments, const Model& model, const std::string& failure) {
+    if (!arguments.json) return DatasetHasErrors;
+    nlohmann::ordered_json messages = nlohmann::ordered_json::array();
+    for (const Diagnostic& diagnostic : model.diagnostics)
+        messages.push_back({{"severity", diagnostic.severity == Severity::Error ? "error" : "warning"},
+                            {"line", diagnostic.where.line},
+                            {"column", diagnostic.where.column},
+                            {"message", diagnostic.message}});
+    if (!failure.empty())
+        messages.push_back({{"severity", "error"}, {"line", 0}, {"column", 0}, {"message", failure}});
+    const nlohmann::ordered_json json = {{"usable", false}, {"messages", messages}};
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return DatasetHasErrors;
 }
 
@@ -78,19 +91,19 @@ ExitCode printUnusable(const CheckArguments& arguments) {
 
 ExitCode check(const CheckArguments& arguments) {
     CheckReport report;
-    const std::optional<Mechanism> mechanism = loadMechanism(arguments.model, report.dataset);
-    if (!mechanism) return printUnusable(arguments);
+    report.model = loadModel(arguments.model);
+    if (!report.model.mechanism) return printUnusable(arguments, report.model, "");
     try {
-        report.assembled = assemble(*mechanism);
+        report.assembled = assemble(*report.model.mechanism);
     } catch (const std::exception& error) {
         printError(arguments.model, error.what());
-        return printUnusable(arguments);
+        return printUnusable(arguments, report.model, error.what());
     }
-    report.constraints = analyzeConstraints(mechanism->getMatter(), report.assembled.state);
+    report.constraints = analyzeConstraints(report.model.mechanism->getMatter(), report.assembled.state);
     if (arguments.json)
-        printJson(report, mechanism->getUnits());
+        printJson(report);
     else
-        printText(report, mechanism->getUnits());
+        printText(report);
     return Done;
 }
 

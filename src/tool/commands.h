@@ -32,8 +32,15 @@ struct CheckArguments {
 ExitCode run(const RunArguments& arguments);
 ExitCode check(const CheckArguments& arguments);
 
-/// Reads and builds a model, printing all its diagnostics to standard error. Empty if there are errors.
-std::optional<Mechanism> loadMechanism(const std::string& path, Dataset& dataset);
+/// A model as far as it could be loaded.
+struct Model {
+    Dataset dataset;
+    Diagnostics diagnostics;
+    std::optional<Mechanism> mechanism;  ///< empty if there are errors
+};
+
+/// Reads and builds a model, printing all its diagnostics to standard error.
+Model loadModel(const std::string& path);
 
 /// What a length is called in the dataset: "MILLIMETER", or "length units" where it names none.
 std::string getLengthName(const Dataset& dataset);

@@ -22,14 +22,13 @@ std::string getLengthName(const Dataset& dataset) {
     return "length units";
 }
 
-std::optional<Mechanism> loadMechanism(const std::string& path, Dataset& dataset) {
-    Diagnostics diagnostics;
-    std::optional<Mechanism> mechanism;
-    dataset = readDatasetFile(path, diagnostics);
-    if (!hasErrors(diagnostics)) mechanism = buildMechanism(dataset, diagnostics);
-    for (const Diagnostic& diagnostic : diagnostics)
+Model loadModel(const std::string& path) {
+    Model model;
+    model.dataset = readDatasetFile(path, model.diagnostics);
+    if (!hasErrors(model.diagnostics)) model.mechanism = buildMechanism(model.dataset, model.diagnostics);
+    for (const Diagnostic& diagnostic : model.diagnostics)
         fmt::print(stderr, "{}\n", formatDiagnostic(path, diagnostic));
-    return mechanism;
+    return model;
 }
 
 }  // namespace jprim::tool

@@ -13,14 +13,14 @@ namespace jprim::tool {
 
 namespace {
 
-void printSummary(const Dataset& dataset, const Mechanism& mechanism, const SimulationOutcome& outcome) {
+void printSummary(const Model& model, const SimulationOutcome& outcome) {
     const SimulationSummary& s = outcome.summary;
-    const UnitSystem& units = mechanism.getUnits();
+    const UnitSystem& units = model.mechanism->getUnits();
     const double energy = units.getEnergy();
     fmt::print("degrees of freedom       {}\n", s.degreesOfFreedom);
     if (s.redundantEquations > 0) fmt::print("redundant equations      {}\n", s.redundantEquations);
     fmt::print("worst constraint error   {:.3g} {}, {:.3g} rad{}\n", s.worstViolation.length / units.length,
-               getLengthName(dataset), s.worstViolation.angle,
+               getLengthName(model.dataset), s.worstViolation.angle,
                s.worstViolation.element.empty() ? "" : fmt::format(" (at {})", s.worstViolation.element));
     fmt::print("energy                   {:.9g} at the start, changed by at most {:.3g}",
                s.energyAtStart / energy, s.largestEnergyChange / energy);
@@ -73,22 +73,21 @@ ExitCode run(const RunArguments& arguments) {
                    arguments.end, arguments.dtout);
         return WrongUsage;
     }
-    Dataset dataset;
-    const std::optional<Mechanism> mechanism = loadMechanism(arguments.model, dataset);
-    if (!mechanism) return DatasetHasErrors;
+    const Model model = loadModel(arguments.model);
+    if (!model.mechanism) return DatasetHasErrors;
 
     SimulationOutcome outcome;
     try {
         // Before the simulation, not after it, is the time to learn that nothing can be written.
         if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
-        outcome = simulateModel(arguments, *mechanism, *steps);
+        outcome = simulateModel(arguments, *model.mechanism, *steps);
         if (!outcome.failure.empty()) printError(arguments.model, outcome.failure);
         if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
     } catch (const std::exception& error) {
         printError(arguments.model, error.what());
         return SimulationFailed;
     }
-    if (!arguments.quiet) printSummary(dataset, *mechanism, outcome);
+    if (!arguments.quiet) printSummary(model, outcome);
     if (!arguments.quiet && !arguments.out.empty())
         fmt::print("results                  requests.csv, reactions.csv and parts.csv in {}\n",
                    arguments.out);

@@ -86,6 +86,8 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
     return out << c.name;
 }
 
+// In free fall along the joint (Cylindrical_Case01, Prismatic_Case01) all loads are zero: the floors of 1e-12
+// then say that ours must be, too.
 const Case Cases[] = {{"Revolute_Case01", {"JPRIM/1", "JPRIM/2"}},
                       {"Spherical_Case02", {"JPRIM/1"}},
                       {"Cylindrical_Case01", {"JPRIM/1", "JPRIM/2"}, 1e-5, 1e-4, 0, 1e-12},

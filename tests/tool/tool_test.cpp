@@ -211,7 +211,19 @@ TEST_F(Tool, WhatCannotBeAssembledFailsWith1OrIsUnusable) {
     EXPECT_NE(r.err.find("cannot be assembled"), std::string::npos);
     const Outcome checked = run("check --json " + model);
     EXPECT_EQ(checked.exitCode, 3);
-    EXPECT_EQ(nlohmann::json::parse(checked.out)["usable"], false);
+    const nlohmann::json json = nlohmann::json::parse(checked.out);
+    EXPECT_EQ(json["usable"], false);
+    EXPECT_NE(std::string(json["messages"][0]["message"]).find("cannot be assembled"), std::string::npos);
+}
+
+TEST_F(Tool, CheckListsErrorsForMachinesToo) {
+    const std::string model = write("bad.adm", "bad\nPART/1,GROUND\nMARKER/10\n  GCON/1,FUNCTION=1\nEND\n");
+    const nlohmann::json json = nlohmann::json::parse(run("check --json " + model).out);
+    EXPECT_EQ(json["usable"], false);
+    ASSERT_EQ(json["messages"].size(), 1u);
+    EXPECT_EQ(json["messages"][0]["severity"], "error");
+    EXPECT_EQ(json["messages"][0]["line"], 4);
+    EXPECT_EQ(json["messages"][0]["column"], 3);
 }
 
 TEST_F(Tool, AFailedSimulationExitsWith1AndStillWritesItsFiles) {
