@@ -110,7 +110,10 @@ private:
 // equations are met all the same; where masses differ too much, equations of the heavy ones are lost.
 void checkAccelerations(const Mechanism& mechanism, const State& state) {
     constexpr Real Lost = 1e-4;
-    const Real accelerations = SimTK::max(SimTK::abs(state.getUDot())) + mechanism.getGravity().norm();
+    // What is there to be lost: accelerations, gravity, and the centripetal ones of a steady turn.
+    const auto findLargest = [](const SimTK::Vector& v) { return v.size() > 0 ? v.normInf() : 0; };
+    const Real accelerations = findLargest(state.getUDot()) + mechanism.getGravity().norm() +
+                               SimTK::square(findLargest(state.getU()));
     if (!std::isfinite(accelerations)) throw std::runtime_error("accelerations are not finite");
     const std::vector<Mechanism::Equation> equations = mechanism.findEquations(state);
     for (size_t k = 0; k < equations.size(); ++k)

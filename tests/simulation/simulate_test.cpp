@@ -33,6 +33,16 @@ TEST(Simulate, DocumentationExampleSlides) {
     EXPECT_EQ(outcome.summary.degreesOfFreedom, 4);
 }
 
+// Nothing accelerates, and rounding must not be taken for a lost equation.
+TEST(Simulate, ABalancedRotorTurnsSteadily) {
+    const Mechanism mechanism = buildOrFail(
+        "rotor\nPART/1,GROUND\nMARKER/10,REULER=0.1,0.2,0.3\nPART/"
+        "2,MASS=2,CM=20,IP=0.3,0.3,0.5,WZ=7,REULER=0.1,0.2,0.3\n"
+        "MARKER/20\nJOINT/1,REVOLUTE,I=20,J=10\nEND\n");
+    const Results results = testing::run(mechanism, 1, 10, 1e-8).results;
+    EXPECT_NEAR(results.parts.getColumn("energy.kinetic").back(), 0.5 * 0.5 * 49, 1e-9);
+}
+
 // REQUEST/FORCE is the load on its I by its J, whichever of the two the connection calls I.
 TEST(Simulate, ForceRequestsLookFromTheirOwnMarker) {
     const Mechanism mechanism = buildOrFail(
