@@ -44,6 +44,8 @@ Mat33 calcCentralInertia(const PartMass& part) {
 std::string findMassProblem(Real mass, const Mat33& inertia, Real unit) {
     if (!std::isfinite(mass) || !std::isfinite(inertia.norm()))
         return "mass or inertia about the mass centre is too large to be a number";
+    constexpr Real Smallest = 1e-200;  // Simbody divides by the mass, and by squares of it
+    if (mass != 0 && mass < Smallest) return "the mass is too small to divide by";
     const Eigen::Vector3d moments = solve(inertia).eigenvalues() / unit;  // ascending
     if (moments[0] < -DigitsLost * moments[2] || moments[2] < 0)
         return fmt::format("one of its principal moments about the mass centre is negative ({:.6g})",

@@ -128,6 +128,16 @@ TEST(PartInertia, MasslessPartsAreBuiltWithAWarning) {
         "solved\n");
 }
 
+TEST(PartInertia, AMassThatVanishesWithoutBeingZeroIsAnError) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(
+        buildFromText("t\nPART/1,GROUND\nPART/2,MASS=1E-307,CM=20,IP=1,1,1\nMARKER/20\nEND\n", diagnostics));
+    EXPECT_EQ(formatAll(diagnostics),
+              "3:1: error: PART/2: no body can have this MASS and IP: the mass is too small to divide by; "
+              "check MASS, "
+              "IP, IM and CM\n");
+}
+
 // Only what is zero is replaced, however small it is beside the part's reach.
 TEST(PartInertia, SmallOnesStay) {
     const Mat33 small(4e-11, 0, 0, 0, 4e-11, 0, 0, 0, 4e-11);
