@@ -20,6 +20,7 @@ using Rooms = std::set<std::string>;
 // A room and those it may use, besides itself.
 const std::map<std::string, Rooms> AllowedUses = {
     {"base", {}},
+    {"flexible", {"base"}},
     {"marker", {"base"}},
     {"primitive", {"base", "marker"}},
     {"joint", {"base", "marker", "primitive"}},

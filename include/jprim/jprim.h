@@ -14,6 +14,8 @@
 #include "jprim/dataset/dataset.h"
 #include "jprim/dataset/read_dataset.h"
 #include "jprim/dataset/write_dataset.h"
+#include "jprim/flexible/beam.h"
+#include "jprim/flexible/finite_element_model.h"
 #include "jprim/joint/joint.h"
 #include "jprim/marker/angles.h"
 #include "jprim/marker/load.h"
