@@ -55,6 +55,22 @@ TEST(Simulate, ForceRequestsLookFromTheirOwnMarker) {
     EXPECT_EQ(requests.getColumn("R3.FM").back(), 0);  // no action-only forces exist yet
 }
 
+// Two primitives between the same markers, each calling another one I: both count, from the request's side.
+TEST(Simulate, ForceRequestsAddWhatActsBetweenTheirMarkers) {
+    const Mechanism mechanism = buildOrFail(
+        "t\nACCGRAV/IGRAV=3,KGRAV=-10\nPART/1,GROUND\nMARKER/10,REULER=0.4,0.3,0.2\n"
+        "PART/2,MASS=2,CM=20,IP=1,2,1.5\nMARKER/20,QP=0.5,0.1,0.2\nMARKER/21,REULER=0.4,0.3,0.2\n"
+        "JPRIM/1,ATPOINT,I=21,J=10\nJPRIM/2,PARALLEL_AXES,I=10,J=21\nREQUEST/1,FORCE,I=21,J=10\nEND\n");
+    const Results results = testing::run(mechanism, 0.3, 3, 1e-6).results;
+    for (const char* component : {"FX", "FY", "FZ", "TX", "TY", "TZ"}) {
+        const std::string name = component;
+        const double sum = results.reactions.getColumn("JPRIM/1.I." + name).back() +
+                           results.reactions.getColumn("JPRIM/2.J." + name).back();
+        EXPECT_NEAR(results.requests.getColumn("R1." + name).back(), sum, 1e-12) << name;
+        EXPECT_GT(std::abs(sum), 1e-3) << name << ": nothing to add";
+    }
+}
+
 TEST(Simulate, ColumnsAreNamedAsPromised) {
     const Mechanism mechanism = buildOrFail(testing::makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
     const Results results = testing::run(mechanism, 0.1, 1, 1e-6).results;
