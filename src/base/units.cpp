@@ -60,14 +60,10 @@ const std::vector<Unit>& getUnits(Quantity quantity) {
                                            {"MILLISECONDS", 1e-3}, {"MINUTE", 60}, {"NANOSECOND", 1e-9},
                                            {"SECOND", 1}};
     switch (quantity) {
-        case Quantity::Force:
-            return force;
-        case Quantity::Mass:
-            return mass;
-        case Quantity::Length:
-            return length;
-        case Quantity::Time:
-            break;
+        case Quantity::Force: return force;
+        case Quantity::Mass: return mass;
+        case Quantity::Length: return length;
+        case Quantity::Time: break;
     }
     return time;
 }

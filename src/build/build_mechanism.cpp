@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "build/connections.h"
 #include "build/frames.h"
-#include "build/length_unit.h"
 #include "build/mechanism_builder.h"
 
 namespace jprim {
@@ -22,10 +22,21 @@ void MechanismBuilder::chooseUnits() {
         units = m_dataset.units->toSI;
         applyUcf(*m_dataset.units);
     }
-    // kg and s stay; with a length unit of L metres the unit of force is L newtons.
-    const double L = m_mechanism.m_lengthUnit = chooseLengthUnit(m_dataset, units.length);
-    units.length /= L;
-    units.force /= L;
+}
+
+// 1 m, or the power of 1000 of it that suits the largest reach of a part. Tolerances of assembly and
+// integration are absolute numbers, and Simbody weighs lengths against angles; both assume that a part's size
+// is of order one. kg and s stay; with a length unit of L metres the unit of force is L newtons.
+void MechanismBuilder::chooseLengthUnit() {
+    double largest = 0;  // [m]: markers are in SI until here
+    for (const PartStatement& part : m_dataset.parts)
+        if (!part.ground && part.cm != 0) largest = std::max(largest, calcReach(part));
+    if (largest == 0 || !std::isfinite(largest)) return;
+
+    const double L = m_mechanism.m_lengthUnit = std::pow(1000., std::round(std::log10(largest) / 3));
+    m_mechanism.m_units.length /= L;
+    m_mechanism.m_units.force /= L;
+    for (auto& [id, pose] : m_markerPoses) pose.updP() /= L;
 }
 
 // UCF is the force unit in units of mass * length / time^2. Given alone it is the only thing known of the
@@ -49,7 +60,7 @@ void MechanismBuilder::findMarkerPoses() {
         std::string problem;
         m_markerPoses[marker.id] = makeFrame({marker.qp, marker.reuler, marker.zp, marker.xp, marker.usexp},
                                              m_mechanism.m_units.length, problem);
-        m_markerStatements[marker.id] = &marker;
+        m_partOfMarker[marker.id] = marker.part;
         m_markersOfPart[marker.part].push_back(marker.id);
         if (!problem.empty())
             report(Severity::Error, marker.where, fmt::format("MARKER/{}: {}", marker.id, problem));
@@ -83,7 +94,7 @@ void MechanismBuilder::addMarkers() {
 
 void MechanismBuilder::checkAxes() {
     const auto getGivenOrientation = [this](int id) {
-        const MechanismPart& part = m_mechanism.m_parts[m_partIndex.at(findMarker(id)->part)];
+        const MechanismPart& part = m_mechanism.m_parts[m_partIndex.at(m_partOfMarker.at(id))];
         return part.givenPose.R() * m_markerPoses.at(id).R();
     };
     const auto check = [&](const auto& statements, const char* keyword) {

@@ -25,12 +25,15 @@ void MechanismBuilder::addParts() {
     for (const PartStatement& part : m_dataset.parts) addPart(part, lightest);
 }
 
-Real MechanismBuilder::calcSize(const PartStatement& statement, const Vec3& p_BC) const {
-    Real size = 0;
+// Largest distance of a marker from the mass centre.
+Real MechanismBuilder::calcReach(const PartStatement& statement) const {
+    const Vec3 center = getMarkerPose(statement.cm).p();
+    Real reach = 0;
     const auto markers = m_markersOfPart.find(statement.id);
     if (markers != m_markersOfPart.end())
-        for (const int id : markers->second) size = std::max(size, (m_markerPoses.at(id).p() - p_BC).norm());
-    return size > 0 ? size : 1;
+        for (const int id : markers->second)
+            reach = std::max(reach, (m_markerPoses.at(id).p() - center).norm());
+    return reach;
 }
 
 // The Simbody body has its origin at the mass centre and the axes of the BCS: rotation and translation of a
@@ -41,7 +44,6 @@ void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass
     MechanismPart part;
     part.id = statement.id;
     part.ground = statement.ground;
-    part.exact = statement.exact;
 
     std::string problem;
     part.givenPose =
@@ -56,12 +58,14 @@ void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass
         part.bcs = part.cm = part.vm = part.wm = Marker(ground, part.givenPose);
     } else {
         const Transform X_PC = getMarkerPose(statement.cm);  // P: the BCS
-        part.size = calcSize(statement, X_PC.p());
+        const Real reach = calcReach(statement);
+        if (reach > 0) part.size = reach;
+        part.exact = statement.exact;
         const Body::Rigid rigid = makeBody(statement, X_PC, part.size, lightestMass);
         MobilizedBody::Free body(ground, rigid);
-        body.setDefaultTransform(part.givenPose * Transform(X_PC.p()));
         part.body = body;
         part.bcs = Marker(body, Transform(-X_PC.p()));
+        body.setDefaultTransform(part.calcGivenBodyPose());
         part.cm = Marker(body, Transform(X_PC.R()));
     }
     for (int k = 0; k < 3; ++k) {

@@ -18,14 +18,10 @@ enum class Need { Nothing, ZAxesAlike, AllAxesAlike, ZAxesCrossed, BarsCrossed }
 
 Need getNeed(JprimType type) {
     switch (type) {
-        case JprimType::ParallelAxes:
-            return Need::ZAxesAlike;
-        case JprimType::Orientation:
-            return Need::AllAxesAlike;
-        case JprimType::Perpendicular:
-            return Need::ZAxesCrossed;
-        default:
-            return Need::Nothing;
+        case JprimType::ParallelAxes: return Need::ZAxesAlike;
+        case JprimType::Orientation: return Need::AllAxesAlike;
+        case JprimType::Perpendicular: return Need::ZAxesCrossed;
+        default: return Need::Nothing;
     }
 }
 
@@ -33,17 +29,12 @@ Need getNeed(JointType type) {
     switch (type) {
         case JointType::Revolute:
         case JointType::Cylindrical:
-        case JointType::Planar:
-            return Need::ZAxesAlike;
+        case JointType::Planar: return Need::ZAxesAlike;
         case JointType::Translational:
-        case JointType::Fixed:
-            return Need::AllAxesAlike;
-        case JointType::Universal:
-            return Need::ZAxesCrossed;
-        case JointType::Hooke:
-            return Need::BarsCrossed;
-        default:
-            return Need::Nothing;
+        case JointType::Fixed: return Need::AllAxesAlike;
+        case JointType::Universal: return Need::ZAxesCrossed;
+        case JointType::Hooke: return Need::BarsCrossed;
+        default: return Need::Nothing;
     }
 }
 
@@ -69,34 +60,24 @@ std::string describeParallel(const char* axisI, const char* axisJ, Real cosine, 
 std::string findMisalignment(Need need, const Rotation& R_GI, const Rotation& R_GJ, int i, int j) {
     const Rotation R = ~R_GJ * R_GI;
     switch (need) {
-        case Need::ZAxesAlike:
-            return describeFlip("z axes", std::acos(std::clamp(R.z()[2], -1., 1.)), i, j);
+        case Need::ZAxesAlike: return describeFlip("z axes", std::acos(std::clamp(R.z()[2], -1., 1.)), i, j);
         case Need::AllAxesAlike:
             return describeFlip("axes", std::abs(R.convertRotationToAngleAxis()[0]), i, j);
-        case Need::ZAxesCrossed:
-            return describeParallel("z", "z", R.z()[2], i, j);
-        case Need::BarsCrossed:
-            return describeParallel("x", "y", R.x()[1], i, j);
-        case Need::Nothing:
-            break;
+        case Need::ZAxesCrossed: return describeParallel("z", "z", R.z()[2], i, j);
+        case Need::BarsCrossed: return describeParallel("x", "y", R.x()[1], i, j);
+        case Need::Nothing: break;
     }
     return "";
 }
 
 Primitive makePrimitive(JprimType type, const Marker& I, const Marker& J, const std::string& name) {
     switch (type) {
-        case JprimType::AtPoint:
-            return AtPoint(I, J, name);
-        case JprimType::InLine:
-            return InLine(I, J, name);
-        case JprimType::InPlane:
-            return InPlane(I, J, name);
-        case JprimType::Orientation:
-            return Orientation(I, J, name);
-        case JprimType::ParallelAxes:
-            return ParallelAxes(I, J, name);
-        case JprimType::Perpendicular:
-            break;
+        case JprimType::AtPoint: return AtPoint(I, J, name);
+        case JprimType::InLine: return InLine(I, J, name);
+        case JprimType::InPlane: return InPlane(I, J, name);
+        case JprimType::Orientation: return Orientation(I, J, name);
+        case JprimType::ParallelAxes: return ParallelAxes(I, J, name);
+        case JprimType::Perpendicular: break;
     }
     return Perpendicular(I, J, name);
 }
@@ -117,22 +98,14 @@ Joint makeConnection(JprimType type, const Marker& I, const Marker& J, const std
 
 Joint makeConnection(JointType type, const Marker& I, const Marker& J, const std::string& name) {
     switch (type) {
-        case JointType::Spherical:
-            return Joint::Spherical(I, J, name);
-        case JointType::Revolute:
-            return Joint::Revolute(I, J, name);
-        case JointType::Cylindrical:
-            return Joint::Cylindrical(I, J, name);
-        case JointType::Translational:
-            return Joint::Translational(I, J, name);
-        case JointType::Planar:
-            return Joint::Planar(I, J, name);
-        case JointType::Fixed:
-            return Joint::Fixed(I, J, name);
-        case JointType::Universal:
-            return Joint::Universal(I, J, name);
-        case JointType::Hooke:
-            break;
+        case JointType::Spherical: return Joint::Spherical(I, J, name);
+        case JointType::Revolute: return Joint::Revolute(I, J, name);
+        case JointType::Cylindrical: return Joint::Cylindrical(I, J, name);
+        case JointType::Translational: return Joint::Translational(I, J, name);
+        case JointType::Planar: return Joint::Planar(I, J, name);
+        case JointType::Fixed: return Joint::Fixed(I, J, name);
+        case JointType::Universal: return Joint::Universal(I, J, name);
+        case JointType::Hooke: break;
     }
     return Joint::Hooke(I, J, name);
 }

@@ -9,7 +9,6 @@
 namespace jprim {
 
 using SimTK::Real;
-using SimTK::SpatialVec;
 using SimTK::State;
 
 Mechanism::Mechanism() : m_bodies(std::make_unique<Bodies>()) {}

@@ -23,6 +23,7 @@ public:
         m_mechanism.m_title = m_dataset.title;
         chooseUnits();
         findMarkerPoses();
+        chooseLengthUnit();
         addGravity();
         addParts();
         if (m_failed) return std::nullopt;
@@ -43,11 +44,12 @@ private:
     void chooseUnits();
     void applyUcf(const UnitsStatement& statement);
     void findMarkerPoses();
+    void chooseLengthUnit();
     void addGravity();
     void addParts();
     void addPart(const PartStatement& statement, SimTK::Real lightestMass);
     void checkGround(const PartStatement& statement);
-    SimTK::Body::Rigid makeBody(const PartStatement& statement, const SimTK::Transform& X_BC,
+    SimTK::Body::Rigid makeBody(const PartStatement& statement, const SimTK::Transform& X_PC,
                                 SimTK::Real size, SimTK::Real lightestMass);
     void addMarkers();
     void checkAxes();
@@ -55,21 +57,17 @@ private:
     void addRequests();
     MechanismRequest makeRequest(const RequestStatement& statement) const;
 
-    const MarkerStatement* findMarker(int id) const {
-        const auto found = m_markerStatements.find(id);
-        return found == m_markerStatements.end() ? nullptr : found->second;
-    }
     SimTK::Transform getMarkerPose(int id) const {
         return id == 0 ? SimTK::Transform() : m_markerPoses.at(id);
     }
-    SimTK::Real calcSize(const PartStatement& statement, const SimTK::Vec3& p_BC) const;
+    SimTK::Real calcReach(const PartStatement& statement) const;
 
     const Dataset& m_dataset;
     Diagnostics& m_diagnostics;
     bool m_failed = false;
     Mechanism m_mechanism;
-    std::unordered_map<int, const MarkerStatement*> m_markerStatements;
-    std::unordered_map<int, SimTK::Transform> m_markerPoses;
+    std::unordered_map<int, SimTK::Transform> m_markerPoses;  // in the part's BCS
+    std::unordered_map<int, int> m_partOfMarker;
     std::unordered_map<int, std::vector<int>> m_markersOfPart;
     std::unordered_map<int, int> m_partIndex;
 };

@@ -35,8 +35,8 @@ struct SolvableMass {
     bool inertiaReplaced = false;
 };
 
-/// A massless part becomes a light one, spread over its size; a part with mass but a vanishing moment gets a
-/// small one. Anything that is not zero to rounding stays as it is.
+/// A massless part becomes a light one, spread over its size; a part with mass but a moment below
+/// MasslessFraction of its largest gets that. Anything else stays as it is.
 SolvableMass makeSolvable(SimTK::Real mass, const SimTK::Mat33& inertia, SimTK::Real size,
                           SimTK::Real lightestMass);
 

@@ -110,10 +110,9 @@ void checkConnected(const FiniteElementModel& model, const SparseMatrix& K) {
 }
 
 // A rigid motion deforms nothing, unless something outside holds the structure.
-void checkFree(const FiniteElementModel& model, const SparseMatrix& K) {
+void checkFree(const FiniteElementModel& model, const SparseMatrix& K, const RigidMotions& R) {
     static const char* const motions[] = {"translation along x", "translation along y", "translation along z",
                                           "rotation about x",    "rotation about y",    "rotation about z"};
-    const RigidMotions R = makeRigidMotions(model);
     for (int k = 0; k < 6; ++k) {
         const double energy = R.col(k).dot(K * R.col(k));
         const double scale = R.col(k).cwiseAbs().dot(K.cwiseAbs() * R.col(k).cwiseAbs());
@@ -124,25 +123,10 @@ void checkFree(const FiniteElementModel& model, const SparseMatrix& K) {
     }
 }
 
-}  // namespace
-
-void checkFiniteElementModel(const FiniteElementModel& model) {
-    checkNodes(model);
-    const SparseMatrix K = makeMatrix(model, model.stiffness, "stiffness");
-    const SparseMatrix M = makeMatrix(model, model.mass, "mass");
-    checkSymmetry(model, K, "stiffness");
-    checkSymmetry(model, M, "mass");
-    checkConnected(model, K);
-    checkFree(model, K);
-    calcRigidBodyProperties(model);
-}
-
 // In the rigid motion with velocity v and angular velocity w about the origin the momentum is m (v - c x w),
 // and the angular momentum about the origin m c x v + I_o w.
-RigidBodyProperties calcRigidBodyProperties(const FiniteElementModel& model) {
-    checkNodes(model);
-    const SparseMatrix M = makeMatrix(model, model.mass, "mass");
-    const RigidMotions R = makeRigidMotions(model);
+RigidBodyProperties calcRigidBodyProperties(const FiniteElementModel& model, const SparseMatrix& M,
+                                            const RigidMotions& R) {
     const Eigen::Matrix<double, 6, 6> rigid = R.transpose() * (M * R);
 
     RigidBodyProperties result;
@@ -155,6 +139,25 @@ RigidBodyProperties calcRigidBodyProperties(const FiniteElementModel& model) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) result.inertia(i, j) = rigid(3 + i, 3 + j) - shift(i, j);
     return result;
+}
+
+}  // namespace
+
+void checkFiniteElementModel(const FiniteElementModel& model) {
+    checkNodes(model);
+    const SparseMatrix K = makeMatrix(model, model.stiffness, "stiffness");
+    const SparseMatrix M = makeMatrix(model, model.mass, "mass");
+    const RigidMotions R = makeRigidMotions(model);
+    checkSymmetry(model, K, "stiffness");
+    checkSymmetry(model, M, "mass");
+    checkConnected(model, K);
+    checkFree(model, K, R);
+    calcRigidBodyProperties(model, M, R);
+}
+
+RigidBodyProperties calcRigidBodyProperties(const FiniteElementModel& model) {
+    checkNodes(model);
+    return calcRigidBodyProperties(model, makeMatrix(model, model.mass, "mass"), makeRigidMotions(model));
 }
 
 }  // namespace jprim

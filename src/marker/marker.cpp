@@ -7,7 +7,6 @@ using SimTK::MobilizedBody;
 using SimTK::SpatialVec;
 using SimTK::State;
 using SimTK::Transform;
-using SimTK::Vec3;
 
 Marker::Marker(const MobilizedBody& body, const Transform& X_BM) : m_body(body), m_X_BM(X_BM) {}
 

@@ -76,20 +76,25 @@ void Primitive::setMarkerJ(State& state, const Transform& X_BJ) const {
 
 //-------------------------------------------------------------------------------------- reactions
 namespace {
+
 const SpatialVec NoLoad(Vec3(0), Vec3(0));
+
+MarkerPair findPairInGround(const Primitive& primitive, const State& state) {
+    return MarkerPair(primitive.getMarkerI(state).findPoseInGround(state),
+                      primitive.getMarkerJ(state).findPoseInGround(state));
 }
+
+}  // namespace
 
 SpatialVec Primitive::calcReactionOnI(const State& state) const {
     if (isDisabled(state)) return NoLoad;
-    const MarkerPair pair(getMarkerI(state).findPoseInGround(state),
-                          getMarkerJ(state).findPoseInGround(state));
+    const MarkerPair pair = findPairInGround(*this, state);
     return pair.calcLoadOnI(getImpl().calcLoadOnI(state, pair));
 }
 
 SpatialVec Primitive::calcReactionOnJ(const State& state) const {
     if (isDisabled(state)) return NoLoad;
-    const MarkerPair pair(getMarkerI(state).findPoseInGround(state),
-                          getMarkerJ(state).findPoseInGround(state));
+    const MarkerPair pair = findPairInGround(*this, state);
     return pair.calcLoadOnJ(getImpl().calcLoadOnI(state, pair));
 }
 

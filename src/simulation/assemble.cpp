@@ -76,7 +76,7 @@ std::string nameExactParts(const Mechanism& mechanism) {
     std::string names;
     for (const MechanismPart& part : mechanism.getParts()) {
         const bool isExact = std::find(part.exact.begin(), part.exact.end(), true) != part.exact.end();
-        if (isExact && !part.ground) names += fmt::format("{}PART/{}", names.empty() ? "" : ", ", part.id);
+        if (isExact) names += fmt::format("{}PART/{}", names.empty() ? "" : ", ", part.id);
     }
     return names;
 }
@@ -90,7 +90,7 @@ void holdExactCoordinates(const Mechanism& mechanism, Exactness exactness, Assem
     constexpr Real MuchMore = 1e8;
     for (const MechanismPart& part : mechanism.getParts()) {
         const auto held = std::count(part.exact.begin(), part.exact.end(), true);
-        if (part.ground || held == 0) continue;
+        if (held == 0) continue;
         if (held == 6)
             assembler.lockMobilizer(part.body.getMobilizedBodyIndex());
         else if (exactness == Exactness::Required)
@@ -104,7 +104,6 @@ bool keepsExactCoordinates(const Mechanism& mechanism, const State& state) {
     constexpr Real Kept = 1e-6;  // sizes of the part, radians
     Vector errors;
     for (const MechanismPart& part : mechanism.getParts()) {
-        if (part.ground) continue;
         ExactCoordinates(part).calcErrors(state, errors);
         if (errors.size() > 0 && errors.normInf() > Kept) return false;
     }
@@ -118,7 +117,7 @@ void stayCloseToGivenPoses(const Mechanism& mechanism, const State& state, Assem
     SimTK::Array_<Vec3> targets;
     for (const MechanismPart& part : mechanism.getParts()) {
         if (part.ground) continue;
-        const Transform X_GB = part.givenPose * ~part.bcs.getPose();
+        const Transform X_GB = part.calcGivenBodyPose();
         for (const Vec3& point : {Vec3(0), Vec3(part.size, 0, 0), Vec3(0, part.size, 0)}) {
             markers->addMarker(part.body.getMobilizedBodyIndex(), point, 1 / (part.size * part.size));
             targets.push_back(X_GB * point);
@@ -167,7 +166,7 @@ std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& s
     for (const MechanismPart& part : mechanism.getParts()) {
         if (part.ground) continue;
         const Transform X_GB = part.body.getBodyTransform(state);
-        const Transform given = part.givenPose * ~part.bcs.getPose();
+        const Transform given = part.calcGivenBodyPose();
         const Real distance = (X_GB.p() - given.p()).norm();
         const Rotation turn = ~given.R() * X_GB.R();
         const Real angle = std::abs(turn.convertRotationToAngleAxis()[0]);

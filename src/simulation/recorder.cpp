@@ -7,7 +7,6 @@
 
 namespace jprim {
 
-using SimTK::Real;
 using SimTK::Rotation;
 using SimTK::SpatialVec;
 using SimTK::State;
@@ -116,8 +115,7 @@ void Recorder::addRequest(const MechanismRequest& request) {
                        u.getAngularAcceleration(), calcAcceleration);
         case RequestType::Force:
             return add({"FM", "FX", "FY", "FZ", "TM", "TX", "TY", "TZ"}, u.force, u.getMoment(), calcForce);
-        case RequestType::Expressions:
-            break;  // not evaluated; the reader has said so
+        case RequestType::Expressions: break;  // not evaluated; the reader has said so
     }
 }
 

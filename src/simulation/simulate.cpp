@@ -115,13 +115,14 @@ void checkAccelerations(const Mechanism& mechanism, const State& state) {
     const Real accelerations = findLargest(state.getUDot()) + mechanism.getGravity().norm() +
                                SimTK::square(findLargest(state.getU()));
     if (!std::isfinite(accelerations)) throw std::runtime_error("accelerations are not finite");
-    const std::vector<Mechanism::Equation> equations = mechanism.findEquations(state);
-    for (size_t k = 0; k < equations.size(); ++k)
-        if (std::abs(state.getUDotErr()[int(k)]) > Lost * accelerations)
-            throw std::runtime_error(fmt::format(
-                "the accelerations violate {}: it conflicts with other constraints, or masses and "
-                "inertias are too different to solve for",
-                equations[k].element));
+    const SimTK::Vector& errors = state.getUDotErr();
+    if (findLargest(errors) <= Lost * accelerations) return;
+    int first = 0;
+    while (std::abs(errors[first]) <= Lost * accelerations) ++first;
+    throw std::runtime_error(
+        fmt::format("the accelerations violate {}: it conflicts with other constraints, or masses and "
+                    "inertias are too different to solve for",
+                    mechanism.findEquations(state).at(size_t(first)).element));
 }
 
 void stepTo(Integrator& integrator, Real time) {

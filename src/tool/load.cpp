@@ -14,12 +14,14 @@ void printError(const std::string& file, const std::string& message) {
 }
 
 std::string getLengthName(const Dataset& dataset) {
-    if (dataset.units && !dataset.units->names[2].empty()) return dataset.units->names[2];
-    if (dataset.units && dataset.units->system == "MKS") return "METER";
-    if (dataset.units && dataset.units->system == "CGS") return "CENTIMETER";
-    if (dataset.units && dataset.units->system == "FPS") return "FOOT";
-    if (dataset.units && dataset.units->system == "IPS") return "INCH";
-    return "length units";
+    const std::string unnamed = "length units";
+    if (!dataset.units) return unnamed;
+    const UnitsStatement& units = *dataset.units;
+    if (!units.names[2].empty()) return units.names[2];
+    if (units.system.empty() || units.system == "NONE") return unnamed;
+    for (const Unit& unit : getUnits(Quantity::Length))
+        if (unit.inSI == units.toSI.length) return std::string(unit.name);
+    return unnamed;
 }
 
 Model loadModel(const std::string& path) {

@@ -30,7 +30,8 @@ struct MechanismPart {
     Marker bcs;
     /// The CM marker; on ground or where no CM is given, the BCS.
     Marker cm;
-    /// The given pose of the BCS in ground, and which of its coordinates assembly must not move.
+    /// The given pose of the BCS in ground, and which of its coordinates assembly must not move; none of
+    /// ground's.
     SimTK::Transform givenPose;
     std::array<bool, 6> exact{};
     /// The given velocity of the mass centre along the axes of vm [length unit/s], and the given angular
@@ -40,6 +41,9 @@ struct MechanismPart {
     /// Largest distance of a marker from the mass centre [length unit]: what turns an angle into a
     /// displacement.
     SimTK::Real size = 1;
+
+    /// The pose of the Simbody body in ground that goes with givenPose.
+    SimTK::Transform calcGivenBodyPose() const { return givenPose * ~bcs.getPose(); }
 };
 
 /// A JPRIM or JOINT.

@@ -20,14 +20,12 @@ struct Table {
 };
 
 /// What a simulation recorded at its output times.
-///
-/// | table | columns, each after a prefix |
-/// | --- | --- |
-/// | requests | `R<id>.` DISPLACEMENT: MAG X Y Z PSI THETA PHI; VELOCITY: VM VX VY VZ WM WX WY WZ;
-/// ACCELERATION: ACCM ACCX ACCY ACCZ WDTM WDTX WDTY WDTZ; FORCE: FM FX FY FZ TM TX TY TZ | | reactions |
-/// `JPRIM/<id>.I.`, `.J.` and likewise JOINT: FX FY FZ TX TY TZ, Ground axes, at the marker | | parts |
-/// `PART/<id>.` X Y Z of the mass centre, E0 E1 E2 E3 of the CM marker, VX VY VZ WX WY WZ in Ground;
-/// `energy.` kinetic potential total |
+/// - requests, after `R<id>.`: for DISPLACEMENT MAG X Y Z PSI THETA PHI, for VELOCITY VM VX VY VZ WM WX WY WZ,
+///   for ACCELERATION ACCM ACCX ACCY ACCZ WDTM WDTX WDTY WDTZ, for FORCE FM FX FY FZ TM TX TY TZ
+/// - reactions, after `JPRIM/<id>.I.` and `.J.` and likewise JOINT: FX FY FZ TX TY TZ, Ground axes, at the
+///   marker
+/// - parts, after `PART/<id>.`: X Y Z of the mass centre, E0 E1 E2 E3 of the CM marker, VX VY VZ WX WY WZ in
+///   Ground; after `energy.`: kinetic potential total
 struct Results {
     Table requests;
     Table reactions;

@@ -14,8 +14,8 @@ namespace jprim {
 struct SimulationOptions {
     double end = 0;   ///< end time, in the dataset's unit; it starts at 0
     int steps = 100;  ///< output steps of equal length; steps + 1 rows are recorded
-    double accuracy =
-        1e-6;  ///< relative, of the integrator; a tenth of it for constraint errors (root mean square)
+    /// Relative, of the integrator; a tenth of it for constraint errors (root mean square).
+    double accuracy = 1e-6;
     std::string integrator = "RungeKuttaMerson";  ///< one of getIntegratorNames()
     /// Called with the finished fraction, 0 to 1, after each output step. If it throws, the simulation ends
     /// there as if it had failed.
