@@ -6,6 +6,7 @@
 
 #include "build/part_mass.h"
 #include "jprim/base/error.h"
+#include "support/expect_error.h"
 #include "support/run_dataset.h"
 
 namespace jprim {
@@ -276,12 +277,8 @@ TEST(BuildMechanism, AdamsFunctionsByNumber) {
     EXPECT_NEAR(mechanism.calcJPRIM(state, 12, 0, 4), -m * g * I / (I + m * c * c), 1e-12);
     EXPECT_NEAR(mechanism.calcJPRIM(state, 12, 1, 4), m * g * I / (I + m * c * c), 1e-12);
     EXPECT_NEAR(mechanism.calcJPRIM(state, 12, 0, 4, 11), m * g * I / (I + m * c * c), 1e-12);
-    try {
-        mechanism.calcJPRIM(state, 13, 0, 4);
-        ADD_FAILURE();
-    } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "JPRIM/13: does not exist in this mechanism");
-    }
+    EXPECT_EQ(testing::catchError([&] { mechanism.calcJPRIM(state, 13, 0, 4); }),
+              "JPRIM/13: does not exist in this mechanism");
     EXPECT_THROW(mechanism.calcJOINT(state, 12, 0, 4), Error);
     EXPECT_THROW(mechanism.getMarker(99), Error);
 }

@@ -1,12 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs jprim into an empty folder, then configures, builds and runs the consumer project against it.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
-  if(result)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "failed: ${command}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../support/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${JPRIM_BUILD} --prefix ${WORK}/prefix)

@@ -50,20 +50,11 @@ private:
         const std::size_t at = draw(text.size());
         const std::string& other = m_texts[draw(m_texts.size())];
         switch (draw(5)) {
-            case 0:
-                text.insert(at, 1, marks[draw(marks.size())]);
-                break;
-            case 1:
-                text.erase(at, 1 + draw(8));
-                break;
-            case 2:
-                text.insert(at, other.substr(draw(other.size()), 1 + draw(60)));
-                break;
-            case 3:
-                text.insert(at, 1, static_cast<char>(draw(256)));
-                break;
-            default:
-                text.resize(at);
+            case 0: text.insert(at, 1, marks[draw(marks.size())]); break;
+            case 1: text.erase(at, 1 + draw(8)); break;
+            case 2: text.insert(at, other.substr(draw(other.size()), 1 + draw(60))); break;
+            case 3: text.insert(at, 1, static_cast<char>(draw(256))); break;
+            default: text.resize(at);
         }
     }
 

@@ -1,13 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds a fuzzer with clang in a folder of its own and runs it on its corpus for a bounded number of
 # executions: cmake -D SOURCE=<project> -D WORK=<folder> -D RUNS=<number> -P run_fuzzer.cmake
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
-  if(result)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "failed: ${command}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../support/run.cmake)
 
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK} -G Ninja -D CMAKE_CXX_COMPILER=clang++
   -D CMAKE_BUILD_TYPE=RelWithDebInfo -D JPRIM_BUILD_FUZZERS=ON -D JPRIM_BUILD_TESTS=OFF -D JPRIM_BUILD_TOOL=OFF)

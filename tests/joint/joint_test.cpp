@@ -9,6 +9,7 @@
 
 #include "jprim/base/error.h"
 #include "support/conformance.h"
+#include "support/expect_error.h"
 
 namespace jprim {
 namespace {
@@ -202,15 +203,9 @@ TEST(Joint, AdamsFunctionAndAxes) {
     EXPECT_DOUBLE_EQ(joint.JOINT(m.state, 1, 7, other), onJ[0][1]);
     EXPECT_DOUBLE_EQ(joint.JOINT(m.state, 0, 1), onI[1].norm());
     EXPECT_LT((joint.calcReactionOnJAtI(m.state, other) + onI).norm(), 1e-12);
-    try {
-        joint.JOINT(m.state, 0, 0);
-        ADD_FAILURE();
-    } catch (const Error& error) {
-        EXPECT_STREQ(
-            error.what(),
-            "JOINT/7 REVOLUTE: component 0 of a reaction does not exist; use 1 to 8 for FM FX FY FZ TM TX "
-            "TY TZ");
-    }
+    EXPECT_EQ(
+        testing::catchError([&] { joint.JOINT(m.state, 0, 0); }),
+        "JOINT/7 REVOLUTE: component 0 of a reaction does not exist; use 1 to 8 for FM FX FY FZ TM TX TY TZ");
 }
 
 }  // namespace

@@ -59,16 +59,24 @@ TEST(MarkerPair, DoesNotSeeTheFrameItIsMeasuredIn) {
     }
 }
 
+// Two random motions and a load between them.
+struct RandomPair {
+    explicit RandomPair(Random& random)
+        : I(random), J(random), load(testing::makeRandomVec3(random), testing::makeRandomVec3(random)) {}
+
+    RandomMotion I, J;
+    SpatialVec load;
+    MarkerPair pair{I.X, J.X};
+};
+
 // Equal and opposite as a wrench about any point.
 TEST(MarkerPair, LoadsCancel) {
     Random::Uniform random(-1, 1);
     random.setSeed(6);
-    const RandomMotion I(random), J(random);
-    const SpatialVec load(testing::makeRandomVec3(random), testing::makeRandomVec3(random));
-    const MarkerPair pair(I.X, J.X);
+    const RandomPair r(random);
     const Vec3 point(3, -4, 5);
-    const SpatialVec sum = SimTK::shiftForceBy(pair.calcLoadOnI(load), point - I.X.p()) +
-                           SimTK::shiftForceBy(pair.calcLoadOnJ(load), point - J.X.p());
+    const SpatialVec sum = SimTK::shiftForceBy(r.pair.calcLoadOnI(r.load), point - r.I.X.p()) +
+                           SimTK::shiftForceBy(r.pair.calcLoadOnJ(r.load), point - r.J.X.p());
     EXPECT_LT(sum.norm(), Rounding);
 }
 
@@ -76,14 +84,12 @@ TEST(MarkerPair, LoadsCancel) {
 TEST(MarkerPair, PowerIsThatOfTheRelativeMotion) {
     Random::Uniform random(-1, 1);
     random.setSeed(7);
-    const RandomMotion I(random), J(random);
-    const SpatialVec load(testing::makeRandomVec3(random), testing::makeRandomVec3(random));
-    const MarkerPair pair(I.X, J.X);
+    const RandomPair r(random);
     const auto power = [](const SpatialVec& F, const SpatialVec& V) {
         return SimTK::dot(F[0], V[0]) + SimTK::dot(F[1], V[1]);
     };
-    EXPECT_NEAR(power(pair.calcLoadOnI(load), I.V) + power(pair.calcLoadOnJ(load), J.V),
-                power(load, pair.calcVelocity(I.V, J.V)), Rounding);
+    EXPECT_NEAR(power(r.pair.calcLoadOnI(r.load), r.I.V) + power(r.pair.calcLoadOnJ(r.load), r.J.V),
+                power(r.load, r.pair.calcVelocity(r.I.V, r.J.V)), Rounding);
 }
 
 TEST(Marker, MovesWithItsBody) {

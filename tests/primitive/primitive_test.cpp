@@ -5,6 +5,7 @@
 #include "jprim/base/error.h"
 #include "jprim/primitive/primitives.h"
 #include "support/conformance.h"
+#include "support/expect_error.h"
 
 namespace jprim {
 namespace {
@@ -200,12 +201,7 @@ TYPED_TEST(EachPrimitive, HandlesAreCheap) {
 //----------------------------------------------------------------------------------------- errors
 template <class Action>
 void expectError(Action action, const std::string& text) {
-    try {
-        action();
-        ADD_FAILURE() << "no exception; expected: " << text;
-    } catch (const Error& error) {
-        EXPECT_EQ(error.what(), text);
-    }
+    EXPECT_EQ(testing::catchError(action), text);
 }
 
 TYPED_TEST(EachPrimitive, RefusesMarkersWithoutBody) {

@@ -94,8 +94,8 @@ std::string makeMasslessLink(double length, const std::string& more) {
     return fmt::format(
         "link\nACCGRAV/KGRAV=-9.81\nPART/1,GROUND\nMARKER/10,REULER=0D,90D,0D\n"
         "PART/2,MASS=10,CM=20,IP={0},{0},{0},QG={1},0,0\nMARKER/20\nMARKER/21,REULER=0D,90D,0D\n"
-        "PART/3,CM=30\nMARKER/30,REULER=0D,90D,0D\nMARKER/31,QP={1},0,0,REULER=0D,90D,0D\n{2}"
-        "JOINT/1,REVOLUTE,I=10,J=30\nJOINT/2,FIXED,I=21,J=31\nEND\n",
+        "PART/3,CM=30\nMARKER/30,REULER=0D,90D,0D\nMARKER/31,QP={1},0,0,REULER=0D,90D,0D\n"
+        "{2}JOINT/1,REVOLUTE,I=10,J=30\nJOINT/2,FIXED,I=21,J=31\nEND\n",
         10 * length * length, length, more);
 }
 
@@ -112,8 +112,8 @@ TEST(Sizes, MasslessLinksOfAnySizeCarryLoads) {
 // Where Simbody's solver loses equations of a heavy part to those of a tiny one, the run must not go on.
 TEST(Sizes, LostEquationsAreAFailure) {
     const std::string tiny =
-        "PART/4,MASS=1E-6,CM=40,IP=1E-14,1E-14,1E-14\nMARKER/40,REULER=0D,90D,0D\nJOINT/"
-        "4,REVOLUTE,I=10,J=40\n";
+        "PART/4,MASS=1E-6,CM=40,IP=1E-14,1E-14,1E-14\nMARKER/40,REULER=0D,90D,0D\n"
+        "JOINT/4,REVOLUTE,I=10,J=40\n";
     const Mechanism mechanism = buildOrFail(makeMasslessLink(1, tiny));
     SimulationOptions options;
     options.end = 0.1;

@@ -23,11 +23,10 @@ inline std::string makeBeadOnSwing(const std::string& units, double L, double M,
            "\nMARKER/21\nMARKER/22,REULER=80D,75D,10D,QP=" + point(0.1, -0.5, 0) +
            fmt::format("\nPART/3,QG={},REULER=80D,75D,10D,MASS={},CM=30,IP={},{},{},VX={}\n",
                        point(0.4, 0.5, 0.2), 0.5 * M, 0.01 * I, 0.02 * I, 0.015 * I, 0.2 * L / T) +
-           "MARKER/30\nMARKER/31\n"
-           "JOINT/1,REVOLUTE,I=21,J=10\nJPRIM/2,INLINE,I=31,J=22\nJPRIM/3,PARALLEL_AXES,I=31,J=22\n"
-           "REQUEST/1,DISPLACEMENT,I=30,J=10,RM=22\nREQUEST/2,VELOCITY,I=30,J=22,RM=22\n"
-           "REQUEST/3,ACCELERATION,I=30,J=10\nREQUEST/4,FORCE,I=31,J=22,RM=22\nREQUEST/"
-           "5,FORCE,I=10,J=21\nEND\n";
+           "MARKER/30\nMARKER/31\nJOINT/1,REVOLUTE,I=21,J=10\nJPRIM/2,INLINE,I=31,J=22\n"
+           "JPRIM/3,PARALLEL_AXES,I=31,J=22\nREQUEST/1,DISPLACEMENT,I=30,J=10,RM=22\n"
+           "REQUEST/2,VELOCITY,I=30,J=22,RM=22\nREQUEST/3,ACCELERATION,I=30,J=10\n"
+           "REQUEST/4,FORCE,I=31,J=22,RM=22\nREQUEST/5,FORCE,I=10,J=21\nEND\n";
 }
 
 }  // namespace jprim::testing

@@ -101,14 +101,13 @@ TEST_F(Tool, RunWritesThreeFilesAndASummary) {
     EXPECT_EQ(last.substr(0, 2), "1,");
     EXPECT_GE(last.substr(2, last.find(',', 2) - 2).size(), 15u) << last;
     const std::string reactions = readFile(m_folder / "results/reactions.csv");
-    EXPECT_EQ(reactions.substr(0, reactions.find('\n')),
-              "time,JOINT/1.I.FX,JOINT/1.I.FY,JOINT/1.I.FZ,JOINT/1.I.TX,JOINT/1.I.TY,JOINT/1.I.TZ,"
-              "JOINT/1.J.FX,JOINT/1.J.FY,JOINT/1.J.FZ,JOINT/1.J.TX,JOINT/1.J.TY,JOINT/1.J.TZ");
+    EXPECT_EQ(
+        reactions.substr(0, reactions.find('\n')),
+        "time,JOINT/1.I.FX,JOINT/1.I.FY,JOINT/1.I.FZ,JOINT/1.I.TX,JOINT/1.I.TY,JOINT/1.I.TZ,JOINT/1.J.FX,JOINT/1.J.FY,JOINT/1.J.FZ,JOINT/1.J.TX,JOINT/1.J.TY,JOINT/1.J.TZ");
     const std::string parts = readFile(m_folder / "results/parts.csv");
-    EXPECT_EQ(parts.substr(0, parts.find('\n')),
-              "time,PART/2.X,PART/2.Y,PART/2.Z,PART/2.E0,PART/2.E1,PART/2.E2,PART/2.E3,PART/2.VX,PART/"
-              "2.VY,PART/2.VZ,"
-              "PART/2.WX,PART/2.WY,PART/2.WZ,energy.kinetic,energy.potential,energy.total");
+    EXPECT_EQ(
+        parts.substr(0, parts.find('\n')),
+        "time,PART/2.X,PART/2.Y,PART/2.Z,PART/2.E0,PART/2.E1,PART/2.E2,PART/2.E3,PART/2.VX,PART/2.VY,PART/2.VZ,PART/2.WX,PART/2.WY,PART/2.WZ,energy.kinetic,energy.potential,energy.total");
 }
 
 TEST_F(Tool, QuietPrintsNothing) {
@@ -141,8 +140,8 @@ TEST_F(Tool, ProgressBarOnATerminalOnly) {
 
 TEST_F(Tool, AllErrorsOfADatasetAreListedAndItExitsWith3) {
     const std::string model = write("bad.adm",
-                                    "bad\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1\nMARKER/"
-                                    "20,QQQ=1,2,3\nGCON/1,FUNCTION=1\nEND\n");
+                                    "bad\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1\n"
+                                    "MARKER/20,QQQ=1,2,3\nGCON/1,FUNCTION=1\nEND\n");
     for (const std::string& command : {"run " + model + " --end 1", "check " + model}) {
         const Outcome r = run(command);
         EXPECT_EQ(r.exitCode, 3);
