@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseCore>
 #include <cmath>
 #include <numeric>
 #include <unordered_set>
 
+#include "flexible/structure.h"
 #include "jprim/base/error.h"
 
 namespace jprim {
@@ -17,51 +17,8 @@ using SimTK::Vec3;
 
 namespace {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
-using RigidMotions = Eigen::Matrix<double, Eigen::Dynamic, 6>;
-
 // Matrices that other programs write carry about this many digits.
 constexpr double DigitsOfMatrices = 1e-6;
-
-SparseMatrix makeMatrix(const FiniteElementModel& model, const std::vector<MatrixTerm>& terms,
-                        const char* what) {
-    const int n = model.getNumFreedoms();
-    std::vector<Eigen::Triplet<double>> triplets;
-    triplets.reserve(terms.size());
-    for (const MatrixTerm& term : terms) {
-        if (term.row < 0 || term.row >= n || term.column < 0 || term.column >= n)
-            throw Error(
-                model.name,
-                fmt::format("the {} matrix has a term in row {}, column {}; {} nodes with {} "
-                            "freedoms have rows 0 to {}",
-                            what, term.row, term.column, model.nodes.size(), model.freedomsPerNode, n - 1));
-        if (!std::isfinite(term.value))
-            throw Error(model.name,
-                        fmt::format("the {} matrix has a term that is not a number in row {}, column {}",
-                                    what, term.row, term.column));
-        triplets.emplace_back(term.row, term.column, term.value);
-    }
-    SparseMatrix matrix(n, n);
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
-    return matrix;
-}
-
-// Displacements of all freedoms in the six unit motions about the origin: translations, then rotations.
-RigidMotions makeRigidMotions(const FiniteElementModel& model) {
-    RigidMotions R = RigidMotions::Zero(model.getNumFreedoms(), 6);
-    for (int i = 0; i < int(model.nodes.size()); ++i) {
-        const int first = i * model.freedomsPerNode;
-        for (int axis = 0; axis < 3; ++axis) {
-            Vec3 w(0);
-            w[axis] = 1;
-            const Vec3 turned = w % model.nodes[i].position;
-            R(first + axis, axis) = 1;
-            for (int k = 0; k < 3; ++k) R(first + k, 3 + axis) = turned[k];
-            if (model.freedomsPerNode == 6) R(first + 3 + axis, 3 + axis) = 1;
-        }
-    }
-    return R;
-}
 
 void checkNodes(const FiniteElementModel& model) {
     if (model.freedomsPerNode != 3 && model.freedomsPerNode != 6)
@@ -88,6 +45,20 @@ void checkSymmetry(const FiniteElementModel& model, const SparseMatrix& matrix, 
         if (matrix.coeff(i, i) < 0)
             throw Error(model.name, fmt::format("the {} matrix has {:.3g} on its diagonal in row {}", what,
                                                 matrix.coeff(i, i), i));
+}
+
+// No term of a matrix that is positive semidefinite exceeds the geometric mean of its diagonals.
+void checkMinors(const FiniteElementModel& model, const SparseMatrix& matrix, const char* what) {
+    const Eigen::VectorXd diagonal = matrix.diagonal();
+    for (int column = 0; column < matrix.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator term(matrix, column); term; ++term) {
+            const double most = std::sqrt(diagonal[term.row()] * diagonal[column]);
+            if (std::abs(term.value()) > most * (1 + DigitsOfMatrices))
+                throw Error(model.name,
+                            fmt::format("the {} matrix is indefinite: {:.3g} in row {}, column {} is more "
+                                        "than its diagonal allows, {:.3g}",
+                                        what, term.value(), term.row(), column, most));
+        }
 }
 
 // Every node must be reached from the first through stiffness.
@@ -150,6 +121,8 @@ void checkFiniteElementModel(const FiniteElementModel& model) {
     const RigidMotions R = makeRigidMotions(model);
     checkSymmetry(model, K, "stiffness");
     checkSymmetry(model, M, "mass");
+    checkMinors(model, K, "stiffness");
+    checkMinors(model, M, "mass");
     checkConnected(model, K);
     checkFree(model, K, R);
     calcRigidBodyProperties(model, M, R);

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Solutions of K phi = lambda M phi by way of inv(K + s M) M phi = nu phi, nu = 1/(lambda + s): the lowest
+// lambda have the largest nu, which Lanczos' iteration finds first, and freedoms without mass have nu = 0.
+#include "flexible/lowest_modes.h"
+
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <iostream>  // MetisSupport uses std::cerr without including it
+
+#include "jprim/base/error.h"
+
+namespace jprim {
+
+namespace {
+
+// nu below this part of the largest belongs to no mass but to rounding.
+constexpr double Massless = 1e-14;
+
+/// What Spectra asks of inv(K - sigma M), on a factor that exists already.
+class InverseOperator {
+public:
+    using Scalar = double;
+    explicit InverseOperator(const ShiftedStiffness& K) : m_K(K) {}
+    Eigen::Index rows() const { return m_K.getSize(); }
+    Eigen::Index cols() const { return m_K.getSize(); }
+    void set_shift(double) {}
+    void perform_op(const double* in, double* out) const {
+        Eigen::Map<Eigen::VectorXd>(out, m_K.getSize()) =
+            m_K.solve(Eigen::Map<const Eigen::VectorXd>(in, m_K.getSize()));
+    }
+
+private:
+    const ShiftedStiffness& m_K;
+};
+
+[[noreturn]] void failForTooMany(int count, int available, const std::string& element) {
+    throw Error(element,
+                fmt::format("{} fixed-interface modes are wanted, but only {} freedoms with mass are "
+                            "left between the interfaces",
+                            count, available));
+}
+
+// With inv(K + s M) = F ~F the problem is the symmetric one ~F M F y = nu y, phi = F y / sqrt(nu). It needs no
+// definite M.
+Eigen::MatrixXd solveDensely(const ShiftedStiffness& K, const SparseMatrix& M, int count,
+                             const std::string& element) {
+    const Eigen::MatrixXd flexibility = K.solve(Eigen::MatrixXd::Identity(K.getSize(), K.getSize()));
+    const Eigen::MatrixXd F = Eigen::LLT<Eigen::MatrixXd>(flexibility).matrixL();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(F.transpose() * (M * F));
+    const Eigen::VectorXd nu = solver.eigenvalues().reverse();
+    const int available = int((nu.array() > Massless * nu[0]).count());
+    if (count > available) failForTooMany(count, available, element);
+    return F * solver.eigenvectors().rightCols(count).rowwise().reverse() *
+           nu.head(count).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+Eigen::MatrixXd solveByLanczos(const ShiftedStiffness& K, const SparseMatrix& M, int count,
+                               const std::string& element) {
+    constexpr double Tolerance = 1e-13;
+    constexpr int MostRestarts = 1000;
+    InverseOperator inverse(K);
+    Spectra::SparseSymMatProd<double> mass(M);
+    const int subspace = std::min(K.getSize(), std::max(2 * count + 1, 20));
+    Spectra::SymGEigsShiftSolver<InverseOperator, Spectra::SparseSymMatProd<double>,
+                                 Spectra::GEigsMode::ShiftInvert>
+        solver(inverse, mass, count, subspace, -K.getShift());
+    solver.init();
+    const auto found = solver.compute(Spectra::SortRule::LargestMagn, MostRestarts, Tolerance,
+                                      Spectra::SortRule::SmallestAlge);
+    if (solver.info() != Spectra::CompInfo::Successful)
+        throw Error(element, fmt::format("only {} of {} fixed-interface modes were found; ask for fewer",
+                                         found, count));
+    return solver.eigenvectors();
+}
+
+}  // namespace
+
+ShiftedStiffness::ShiftedStiffness(const SparseMatrix& K, const SparseMatrix& M, double shift,
+                                   const std::string& element)
+    : m_shift(shift), m_size(int(K.rows())) {
+    if (m_size == 0) return;
+    m_factor.compute(shift == 0 ? K : SparseMatrix(K + shift * M));
+    if (m_factor.info() != Eigen::Success)
+        throw Error(element,
+                    shift == 0
+                        ? "the stiffness matrix is not positive definite with all interfaces held; a piece "
+                          "of the mesh can move freely, or the matrix is indefinite"
+                        : "stiffness and mass matrix together are not positive definite; a freedom has "
+                          "neither, or a matrix is indefinite");
+}
+
+Eigen::MatrixXd calcLowestModes(const ShiftedStiffness& K, const SparseMatrix& M, int count,
+                                const std::string& element) {
+    constexpr int DenseIsFaster = 400, LargestDense = 6000;
+    const int size = K.getSize();
+    if (count == 0) return Eigen::MatrixXd(size, 0);
+    if (count > size) failForTooMany(count, size, element);
+    if (size <= DenseIsFaster || (count > size / 3 && size <= LargestDense))
+        return solveDensely(K, M, count, element);
+    if (count > size / 3)
+        throw Error(element,
+                    fmt::format("{} fixed-interface modes are wanted of {} freedoms; ask for at most "
+                                "a third",
+                                count, size));
+    return solveByLanczos(K, M, count, element);
+}
+
+}  // namespace jprim
