@@ -21,14 +21,15 @@ using Rooms = std::set<std::string>;
 const std::map<std::string, Rooms> AllowedUses = {
     {"base", {}},
     {"flexible", {"base"}},
-    {"marker", {"base"}},
+    {"marker", {"base", "flexible"}},
     {"primitive", {"base", "marker"}},
     {"joint", {"base", "marker", "primitive"}},
     {"analysis", {"base", "primitive", "joint"}},
     {"dataset", {"base"}},
-    {"build", {"base", "marker", "primitive", "joint", "analysis", "dataset"}},
+    {"build", {"base", "flexible", "marker", "primitive", "joint", "analysis", "dataset"}},
     {"simulation", {"base", "marker", "analysis", "build"}},
-    {"tool", {"base", "marker", "primitive", "joint", "analysis", "dataset", "build", "simulation"}}};
+    {"tool",
+     {"base", "flexible", "marker", "primitive", "joint", "analysis", "dataset", "build", "simulation"}}};
 
 std::vector<fs::path> findFiles(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;

@@ -16,6 +16,7 @@
 #include "jprim/dataset/write_dataset.h"
 #include "jprim/flexible/beam.h"
 #include "jprim/flexible/finite_element_model.h"
+#include "jprim/flexible/flexible_body.h"
 #include "jprim/flexible/modal_basis.h"
 #include "jprim/flexible/reduce_to_modes.h"
 #include "jprim/joint/joint.h"

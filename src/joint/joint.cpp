@@ -21,7 +21,7 @@ namespace {
 Marker turnZTo(const Marker& marker, const CoordinateAxis& axis) {
     const Transform& X_BM = marker.getPose();
     const Rotation R_BT(X_BM.R().getAxisUnitVec(axis), SimTK::ZAxis);
-    return Marker(marker.getBody(), Transform(R_BT, X_BM.p()));
+    return marker.withPose(Transform(R_BT, X_BM.p()));
 }
 
 }  // namespace

@@ -41,37 +41,37 @@ bool Primitive::isTranslational() const {
 
 //---------------------------------------------------------------------------------------- markers
 Marker Primitive::getDefaultMarkerI() const {
-    return Marker(getImpl().getBodyI(), getImpl().getDefaultPlacements().X_BI);
+    return getImpl().getMarkerI(getImpl().getDefaultPlacements().I);
 }
 
 Marker Primitive::getDefaultMarkerJ() const {
-    return Marker(getImpl().getBodyJ(), getImpl().getDefaultPlacements().X_BJ);
+    return getImpl().getMarkerJ(getImpl().getDefaultPlacements().J);
 }
 
-Primitive& Primitive::setDefaultMarkerI(const Transform& X_BI) {
-    updImpl().setDefaultPlacements({X_BI, getImpl().getDefaultPlacements().X_BJ});
+Primitive& Primitive::setDefaultMarkerI(const Transform& X) {
+    updImpl().setDefaultPlacements({X, getImpl().getDefaultPlacements().J});
     return *this;
 }
 
-Primitive& Primitive::setDefaultMarkerJ(const Transform& X_BJ) {
-    updImpl().setDefaultPlacements({getImpl().getDefaultPlacements().X_BI, X_BJ});
+Primitive& Primitive::setDefaultMarkerJ(const Transform& X) {
+    updImpl().setDefaultPlacements({getImpl().getDefaultPlacements().I, X});
     return *this;
 }
 
 Marker Primitive::getMarkerI(const State& state) const {
-    return Marker(getImpl().getBodyI(), getImpl().getPlacements(state).X_BI);
+    return getImpl().getMarkerI(getImpl().getPlacements(state).I);
 }
 
 Marker Primitive::getMarkerJ(const State& state) const {
-    return Marker(getImpl().getBodyJ(), getImpl().getPlacements(state).X_BJ);
+    return getImpl().getMarkerJ(getImpl().getPlacements(state).J);
 }
 
-void Primitive::setMarkerI(State& state, const Transform& X_BI) const {
-    getImpl().updPlacements(state).X_BI = X_BI;
+void Primitive::setMarkerI(State& state, const Transform& X) const {
+    getImpl().updPlacements(state).I = X;
 }
 
-void Primitive::setMarkerJ(State& state, const Transform& X_BJ) const {
-    getImpl().updPlacements(state).X_BJ = X_BJ;
+void Primitive::setMarkerJ(State& state, const Transform& X) const {
+    getImpl().updPlacements(state).J = X;
 }
 
 //-------------------------------------------------------------------------------------- reactions

@@ -13,7 +13,6 @@ using SimTK::Array_;
 using SimTK::CacheEntryIndex;
 using SimTK::ConstrainedBodyIndex;
 using SimTK::ConstrainedQIndex;
-using SimTK::MobilizedBody;
 using SimTK::Real;
 using SimTK::SimbodyMatterSubsystem;
 using SimTK::SpatialVec;
@@ -55,20 +54,22 @@ PrimitiveImpl::PrimitiveImpl(const char* adamsType, Kind kind, int numEquations,
       m_adamsType(adamsType),
       m_isTranslational(kind == Kind::Translational),
       m_numEquations(numEquations),
-      m_bodyI(addConstrainedBody(I.getBody())),
-      m_bodyJ(addConstrainedBody(J.getBody())),
-      m_defaults{I.getPose(), J.getPose()} {}
+      m_defaultI(I),
+      m_defaultJ(J),
+      m_I(addMarker(I)),
+      m_J(addMarker(J)) {}
+
+ConstrainedMarker PrimitiveImpl::addMarker(const Marker& marker) {
+    const ConstrainedMarker added{addConstrainedBody(marker.getBody()), marker.getNode(), m_numCoordinates};
+    m_numCoordinates += added.getNumCoordinates();
+    if (!added.node) return added;
+    for (const SimTK::MobilizedBodyIndex carrier : added.node->getCoordinates().getCarriers())
+        addConstrainedMobilizer(getMatterSubsystem().getMobilizedBody(carrier));
+    return added;
+}
 
 std::string PrimitiveImpl::getDescription() const {
     return describe(m_adamsType, m_name);
-}
-
-const MobilizedBody& PrimitiveImpl::getBodyI() const {
-    return getMatterSubsystem().getMobilizedBody(getMobilizedBodyIndexOfConstrainedBody(m_bodyI));
-}
-
-const MobilizedBody& PrimitiveImpl::getBodyJ() const {
-    return getMatterSubsystem().getMobilizedBody(getMobilizedBodyIndexOfConstrainedBody(m_bodyJ));
 }
 
 //------------------------------------------------------------------------------------------ State
@@ -86,8 +87,11 @@ T& updEntry(const State& state, SimTK::SubsystemIndex subsystem, CacheEntryIndex
 void PrimitiveImpl::realizeTopology(State& state) const {
     const SimbodyMatterSubsystem& matter = getMatterSubsystem();
     m_subsystem = matter.getMySubsystemIndex();
-    m_placements = matter.allocateDiscreteVariable(state, Stage::Position, new Value<Placements>(m_defaults));
-    m_positionCache = matter.allocateCacheEntry(state, Stage::Position, new Value<PositionCache>());
+    m_placements = matter.allocateDiscreteVariable(state, Stage::Position,
+                                                   new Value<Placements>(getDefaultPlacements()));
+    PositionCache cache;
+    cache.modalRows.resize(size_t(m_numEquations * m_numCoordinates));
+    m_positionCache = matter.allocateCacheEntry(state, Stage::Position, new Value<PositionCache>(cache));
     m_bias = matter.allocateCacheEntry(state, Stage::Velocity, new Value<Errors>());
 }
 
@@ -101,7 +105,8 @@ void PrimitiveImpl::realizeVelocity(const State& state) const {
 
 void PrimitiveImpl::setDefaultPlacements(const Placements& placements) {
     invalidateTopologyCache();
-    m_defaults = placements;
+    m_defaultI = getMarkerI(placements.I);
+    m_defaultJ = getMarkerJ(placements.J);
 }
 
 const PrimitiveImpl::Placements& PrimitiveImpl::getPlacements(const State& state) const {
@@ -128,39 +133,43 @@ const PrimitiveImpl::Errors& PrimitiveImpl::getBias(const State& state) const {
 //------------------------------------------------------------------------- from markers to bodies
 // A load d = [t, f] on I at I's origin, moved to the origin of I's body, and its opposite to that of J's:
 //     momentI = t + s_I x f      momentJ = -t - (r + s_J) x f
-// so that by virtue of power de/dt = momentI.w_I + momentJ.w_J + f.(v_I - v_J) for the bodies' velocities.
+// so that by virtue of power de/dt = momentI.w_I + momentJ.w_J + f.(v_I - v_J) for the bodies' velocities,
+// plus for flexible markers what the two loads do to each coordinate times its rate.
 void PrimitiveImpl::calcPositionCache(const State& state, PositionCache& cache) const {
     const Placements& placements = getPlacements(state);
-    const Transform& X_ABI = getBodyTransformFromState(state, m_bodyI);
-    const Transform& X_ABJ = getBodyTransformFromState(state, m_bodyJ);
-    const MarkerPair pair(X_ABI * placements.X_BI, X_ABJ * placements.X_BJ);
-    const Vec3 s_I = X_ABI.R() * placements.X_BI.p();
-    const Vec3 s_J = X_ABJ.R() * placements.X_BJ.p();
+    const Transform& X_ABI = getBodyTransformFromState(state, m_I.body);
+    const Transform& X_ABJ = getBodyTransformFromState(state, m_J.body);
+    const Transform X_AI = m_I.calcPose(X_ABI, placements.I, m_I.getEta(state));
+    const Transform X_AJ = m_J.calcPose(X_ABJ, placements.J, m_J.getEta(state));
+    const MarkerPair pair(X_AI, X_AJ);
 
     calcDirections(pair, cache.directions);
+    Real* modal = cache.modalRows.data();
     for (int k = 0; k < m_numEquations; ++k) {
-        const SpatialVec onI = SimTK::shiftForceBy(pair.calcLoadOnI(cache.directions[k]), -s_I);
-        const SpatialVec onJ = SimTK::shiftForceBy(pair.calcLoadOnJ(cache.directions[k]), -s_J);
+        const SpatialVec F_I = pair.calcLoadOnI(cache.directions[k]);
+        const SpatialVec F_J = pair.calcLoadOnJ(cache.directions[k]);
+        const SpatialVec onI = SimTK::shiftForceBy(F_I, X_ABI.p() - X_AI.p());
+        const SpatialVec onJ = SimTK::shiftForceBy(F_J, X_ABJ.p() - X_AJ.p());
         cache.rows[k] = {onI[0], onJ[0], onI[1]};
+        m_I.calcModalLoads(state, X_ABI, placements.I, F_I, modal);
+        m_J.calcModalLoads(state, X_ABJ, placements.J, F_J, modal + m_I.getNumCoordinates());
+        modal += m_numCoordinates;
     }
 }
 
-// d2e/dt2 where the bodies have their velocities and no acceleration.
+// d2e/dt2 where the bodies and coordinates have their velocities and no acceleration.
 PrimitiveImpl::Errors PrimitiveImpl::calcBodyBias(const State& state) const {
     const Placements& placements = getPlacements(state);
-    const Transform& X_ABI = getBodyTransformFromState(state, m_bodyI);
-    const Transform& X_ABJ = getBodyTransformFromState(state, m_bodyJ);
-    const SpatialVec& V_ABI = getBodyVelocityFromState(state, m_bodyI);
-    const SpatialVec& V_ABJ = getBodyVelocityFromState(state, m_bodyJ);
-    const MarkerPair pair(X_ABI * placements.X_BI, X_ABJ * placements.X_BJ);
-    const Vec3 s_I = X_ABI.R() * placements.X_BI.p();
-    const Vec3 s_J = X_ABJ.R() * placements.X_BJ.p();
+    const Transform& X_ABI = getBodyTransformFromState(state, m_I.body);
+    const Transform& X_ABJ = getBodyTransformFromState(state, m_J.body);
+    const SpatialVec& V_ABI = getBodyVelocityFromState(state, m_I.body);
+    const SpatialVec& V_ABJ = getBodyVelocityFromState(state, m_J.body);
+    const MarkerPair pair = findPair(state);
 
-    const SpatialVec V_AI = SimTK::shiftVelocityBy(V_ABI, s_I);
-    const SpatialVec V_AJ = SimTK::shiftVelocityBy(V_ABJ, s_J);
-    const SpatialVec zero(Vec3(0), Vec3(0));
-    const SpatialVec A_AI = SimTK::shiftAccelerationBy(zero, V_ABI[0], s_I);
-    const SpatialVec A_AJ = SimTK::shiftAccelerationBy(zero, V_ABJ[0], s_J);
+    const SpatialVec V_AI = m_I.calcVelocity(state, X_ABI, V_ABI, placements.I);
+    const SpatialVec V_AJ = m_J.calcVelocity(state, X_ABJ, V_ABJ, placements.J);
+    const SpatialVec A_AI = m_I.calcAccelerationBias(state, X_ABI, V_ABI, placements.I);
+    const SpatialVec A_AJ = m_J.calcAccelerationBias(state, X_ABJ, V_ABJ, placements.J);
     const SpatialVec A_J = pair.calcAcceleration(V_AI, V_AJ, A_AI, A_AJ);
 
     Errors bias(0);
@@ -171,55 +180,72 @@ PrimitiveImpl::Errors PrimitiveImpl::calcBodyBias(const State& state) const {
     return bias;
 }
 
+MarkerPair PrimitiveImpl::findPair(const State& state) const {
+    const Placements& placements = getPlacements(state);
+    return {m_I.calcPose(getBodyTransformFromState(state, m_I.body), placements.I, m_I.getEta(state)),
+            m_J.calcPose(getBodyTransformFromState(state, m_J.body), placements.J, m_J.getEta(state))};
+}
+
 //------------------------------------------------------------------------- what Simbody asks for
 // A torque is the same about every point: a rotational row has no force and opposite moments.
-Real PrimitiveImpl::multiply(const Row& row, const SpatialVec& motionI, const SpatialVec& motionJ) const {
-    if (!m_isTranslational) return SimTK::dot(row.momentI, motionI[0] - motionJ[0]);
-    return SimTK::dot(row.momentI, motionI[0]) + SimTK::dot(row.momentJ, motionJ[0]) +
-           SimTK::dot(row.force, motionI[1] - motionJ[1]);
+Real PrimitiveImpl::multiply(const PositionCache& cache, int equation,
+                             const Array_<SpatialVec, ConstrainedBodyIndex>& motions,
+                             const Array_<Real, ConstrainedQIndex>& coordinates) const {
+    const Row& row = cache.rows[equation];
+    const SpatialVec& motionI = motions[m_I.body];
+    const SpatialVec& motionJ = motions[m_J.body];
+    Real sum = m_isTranslational ? SimTK::dot(row.momentI, motionI[0]) + SimTK::dot(row.momentJ, motionJ[0]) +
+                                       SimTK::dot(row.force, motionI[1] - motionJ[1])
+                                 : SimTK::dot(row.momentI, motionI[0] - motionJ[0]);
+    const Real* modal = cache.modalRows.data() + equation * m_numCoordinates;
+    for (int i = 0; i < m_numCoordinates; ++i) sum += modal[i] * coordinates[ConstrainedQIndex(i)];
+    return sum;
 }
 
 void PrimitiveImpl::calcPositionErrors(const State& state,
                                        const Array_<Transform, ConstrainedBodyIndex>& X_AB,
-                                       const Array_<Real, ConstrainedQIndex>&, Array_<Real>& perr) const {
+                                       const Array_<Real, ConstrainedQIndex>& constrainedQ,
+                                       Array_<Real>& perr) const {
     const Placements& placements = getPlacements(state);
     Errors e;
-    calcErrors(MarkerPair(X_AB[m_bodyI] * placements.X_BI, X_AB[m_bodyJ] * placements.X_BJ), e);
+    calcErrors(MarkerPair(m_I.calcPose(X_AB[m_I.body], placements.I, m_I.findEta(constrainedQ)),
+                          m_J.calcPose(X_AB[m_J.body], placements.J, m_J.findEta(constrainedQ))),
+               e);
     for (int k = 0; k < m_numEquations; ++k) perr[k] = e[k];
 }
 
 void PrimitiveImpl::calcPositionDotErrors(const State& state,
                                           const Array_<SpatialVec, ConstrainedBodyIndex>& V_AB,
-                                          const Array_<Real, ConstrainedQIndex>&, Array_<Real>& pverr) const {
+                                          const Array_<Real, ConstrainedQIndex>& constrainedQDot,
+                                          Array_<Real>& pverr) const {
     const PositionCache& cache = getPositionCache(state);
-    const SpatialVec& V_I = V_AB[m_bodyI];
-    const SpatialVec& V_J = V_AB[m_bodyJ];
-    for (int k = 0; k < m_numEquations; ++k) pverr[k] = multiply(cache.rows[k], V_I, V_J);
+    for (int k = 0; k < m_numEquations; ++k) pverr[k] = multiply(cache, k, V_AB, constrainedQDot);
 }
 
 void PrimitiveImpl::calcPositionDotDotErrors(const State& state,
                                              const Array_<SpatialVec, ConstrainedBodyIndex>& A_AB,
-                                             const Array_<Real, ConstrainedQIndex>&,
+                                             const Array_<Real, ConstrainedQIndex>& constrainedQDotDot,
                                              Array_<Real>& paerr) const {
     const PositionCache& cache = getPositionCache(state);
     const Errors& bias = getBias(state);
-    const SpatialVec& A_I = A_AB[m_bodyI];
-    const SpatialVec& A_J = A_AB[m_bodyJ];
-    for (int k = 0; k < m_numEquations; ++k) paerr[k] = multiply(cache.rows[k], A_I, A_J) + bias[k];
+    for (int k = 0; k < m_numEquations; ++k)
+        paerr[k] = multiply(cache, k, A_AB, constrainedQDotDot) + bias[k];
 }
 
 void PrimitiveImpl::addInPositionConstraintForces(const State& state, const Array_<Real>& multipliers,
                                                   Array_<SpatialVec, ConstrainedBodyIndex>& bodyForcesInA,
-                                                  Array_<Real, ConstrainedQIndex>&) const {
+                                                  Array_<Real, ConstrainedQIndex>& qForces) const {
     const Real* lambda = multipliers.cbegin();
     const auto isZero = [](Real value) { return value == 0; };
     if (std::all_of(lambda, lambda + m_numEquations, isZero)) return;
 
     const PositionCache& cache = getPositionCache(state);
-    SpatialVec& onI = bodyForcesInA[m_bodyI];
-    SpatialVec& onJ = bodyForcesInA[m_bodyJ];
+    SpatialVec& onI = bodyForcesInA[m_I.body];
+    SpatialVec& onJ = bodyForcesInA[m_J.body];
+    const Real* modal = cache.modalRows.data();
     for (int k = 0; k < m_numEquations; ++k) {
         const Row& row = cache.rows[k];
+        for (int i = 0; i < m_numCoordinates; ++i) qForces[ConstrainedQIndex(i)] += lambda[k] * *modal++;
         onI[0] += lambda[k] * row.momentI;
         onJ[0] += lambda[k] * row.momentJ;
         if (!m_isTranslational) continue;
@@ -245,8 +271,8 @@ void PrimitiveImpl::calcDecorativeGeometryAndAppend(const State& state, Stage st
     if (stage != Stage::Position) return;
     constexpr Real TriadSize = 0.1, DirectionSize = 0.15;
     const Placements& placements = getPlacements(state);
-    const Transform X_GI = getBodyI().getBodyTransform(state) * placements.X_BI;
-    const Transform X_GJ = getBodyJ().getBodyTransform(state) * placements.X_BJ;
+    const Transform X_GI = getMarkerI(placements.I).findPoseInGround(state);
+    const Transform X_GJ = getMarkerJ(placements.J).findPoseInGround(state);
     for (const auto& [X_GM, colour] : {std::pair(X_GI, SimTK::Orange), std::pair(X_GJ, SimTK::Blue)})
         geometry.push_back(SimTK::DecorativeFrame(TriadSize).setTransform(X_GM).setColor(colour));
 

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "jprim/marker/marker.h"
 #include "jprim/marker/marker_pair.h"
+#include "marker/constrained_marker.h"
 
 namespace jprim {
 
@@ -34,20 +36,21 @@ public:
     /// True if equations are lengths and loads are forces, false if they are angles and torques.
     bool isTranslational() const { return m_isTranslational; }
 
+    /// The markers' poses on what carries them: X_BM of a rigid marker, X_NM of a flexible one.
     struct Placements {
-        SimTK::Transform X_BI;
-        SimTK::Transform X_BJ;
+        SimTK::Transform I;
+        SimTK::Transform J;
     };
 
     const char* getAdamsType() const { return m_adamsType; }
     /// The name if there is one, and the type: what messages call this element.
     std::string getDescription() const;
-    const Placements& getDefaultPlacements() const { return m_defaults; }
+    Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose()}; }
     void setDefaultPlacements(const Placements& placements);
     const Placements& getPlacements(const SimTK::State& state) const;
     Placements& updPlacements(SimTK::State& state) const;
-    const SimTK::MobilizedBody& getBodyI() const;
-    const SimTK::MobilizedBody& getBodyJ() const;
+    Marker getMarkerI(const SimTK::Transform& X) const { return m_defaultI.withPose(X); }
+    Marker getMarkerJ(const SimTK::Transform& X) const { return m_defaultJ.withPose(X); }
 
     /// Load [moment, force] that the multipliers put on I, in J's axes at I's origin.
     SimTK::SpatialVec calcLoadOnI(const SimTK::State& state, const MarkerPair& pair) const;
@@ -62,7 +65,7 @@ protected:
 
 private:
     /// One row of the constraint Jacobian, in A: the unit load on I's body as [momentI about its origin,
-    /// force] and on J's as [momentJ, -force].
+    /// force] and on J's as [momentJ, -force]. The row's modal part, if there is one, stands apart.
     struct Row {
         SimTK::Vec3 momentI;
         SimTK::Vec3 momentJ;
@@ -71,6 +74,7 @@ private:
     struct PositionCache {
         Directions directions;
         std::array<Row, MaxEquations> rows;
+        std::vector<SimTK::Real> modalRows;  // m_numCoordinates values for each equation: I's, then J's
     };
 
     void realizeTopology(SimTK::State& state) const override;
@@ -99,16 +103,21 @@ private:
     void calcPositionCache(const SimTK::State& state, PositionCache& cache) const;
     const Errors& getBias(const SimTK::State& state) const;
     Errors calcBodyBias(const SimTK::State& state) const;
-    SimTK::Real multiply(const Row& row, const SimTK::SpatialVec& motionI,
-                         const SimTK::SpatialVec& motionJ) const;
+    SimTK::Real multiply(const PositionCache& cache, int equation,
+                         const SimTK::Array_<SimTK::SpatialVec, SimTK::ConstrainedBodyIndex>& motions,
+                         const SimTK::Array_<SimTK::Real, SimTK::ConstrainedQIndex>& coordinates) const;
+    MarkerPair findPair(const SimTK::State& state) const;
+    ConstrainedMarker addMarker(const Marker& marker);
 
     std::string m_name;
     const char* m_adamsType;
     bool m_isTranslational;
     int m_numEquations;
-    SimTK::ConstrainedBodyIndex m_bodyI;
-    SimTK::ConstrainedBodyIndex m_bodyJ;
-    Placements m_defaults;
+    Marker m_defaultI;
+    Marker m_defaultJ;
+    int m_numCoordinates = 0;  // modal coordinates of both markers
+    ConstrainedMarker m_I;
+    ConstrainedMarker m_J;
 
     // Topology cache: where in the State our variable and cache entries are.
     mutable SimTK::SubsystemIndex m_subsystem;

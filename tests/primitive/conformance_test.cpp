@@ -37,19 +37,9 @@ std::ostream& operator<<(std::ostream& out, const Member& member) {
     return out << member.name;
 }
 
-Marker makeMarkerI(const MobilizedBody& body) {
-    return Marker(body, Transform(Rotation(0.7, Vec3(1, -2, 0.5)), Vec3(0.4, -0.1, 0.25)));
-}
-
-Marker makeMarkerJ(const MobilizedBody& body) {
-    return Marker(body, Transform(Rotation(-1.1, Vec3(0.3, 1, 2)), Vec3(-0.2, 0.35, 0.15)));
-}
-
 template <class Type>
 Member makeMember(const char* name, int equations) {
-    return {name, equations, [](MobilizedBody& I, MobilizedBody& J) -> Constraint {
-                return Type(makeMarkerI(I), makeMarkerJ(J));
-            }};
+    return {name, equations, [](const Marker& I, const Marker& J) -> Constraint { return Type(I, J); }};
 }
 
 class PrimitiveConformance : public ::testing::TestWithParam<std::tuple<Member, Tree>> {};
@@ -68,12 +58,6 @@ TEST_P(PrimitiveConformance, HoldsOffTheManifold) {
     }
 }
 
-const char* getTreeName(Tree tree) {
-    return tree == Tree::AncestorMoves ? "AncestorMoves"
-           : tree == Tree::IOnGround   ? "IOnGround"
-                                       : "JOnGround";
-}
-
 INSTANTIATE_TEST_SUITE_P(
     AllSix, PrimitiveConformance,
     ::testing::Combine(::testing::Values(makeMember<AtPoint>("AtPoint", 3), makeMember<InLine>("InLine", 2),
@@ -81,9 +65,10 @@ INSTANTIATE_TEST_SUITE_P(
                                          makeMember<Orientation>("Orientation", 3),
                                          makeMember<ParallelAxes>("ParallelAxes", 2),
                                          makeMember<Perpendicular>("Perpendicular", 1)),
-                       ::testing::Values(Tree::AncestorMoves, Tree::IOnGround, Tree::JOnGround)),
+                       ::testing::Values(Tree::AncestorMoves, Tree::IOnGround, Tree::JOnGround,
+                                         Tree::FlexibleI, Tree::FlexibleJ, Tree::FlexibleBoth)),
     [](const auto& info) {
-        return std::string(std::get<0>(info.param).name) + getTreeName(std::get<1>(info.param));
+        return std::string(std::get<0>(info.param).name) + getName(std::get<1>(info.param));
     });
 
 //---------------------------------------------------------------------------------------- mutants
@@ -93,8 +78,8 @@ Conformance measureWorst(testing::Defect defect) {
     worst.rank = 3;
     for (int seed = 1; seed <= NumSeeds; ++seed) {
         const Conformance c = testing::measureConformance(
-            [defect](MobilizedBody& I, MobilizedBody& J) -> Constraint {
-                return Constraint::Custom(new testing::MutantInLine(defect, makeMarkerI(I), makeMarkerJ(J)));
+            [defect](const Marker& I, const Marker& J) -> Constraint {
+                return Constraint::Custom(new testing::MutantInLine(defect, I, J));
             },
             Tree::AncestorMoves, seed);
         worst.rateError = std::max(worst.rateError, c.rateError);

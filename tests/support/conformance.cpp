@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/conformance.h"
 
+#include "jprim/flexible/reduce_to_modes.h"
+#include "support/steel_beam.h"
+
 namespace jprim::testing {
 
 using namespace SimTK;
@@ -21,18 +24,33 @@ Rotation makeRandomRotation(Random& random) {
 
 namespace {
 
+// Poses of the markers on what carries them, unlike each other and unlike anything simple.
+const Transform PoseI(Rotation(0.7, Vec3(1, -2, 0.5)), Vec3(0.4, -0.1, 0.25));
+const Transform PoseJ(Rotation(-1.1, Vec3(0.3, 1, 2)), Vec3(-0.2, 0.35, 0.15));
+
+// A beam with five modes of all kinds; those of its second interface turn where it does not move much.
+const ModalBasis& getBasis() {
+    static const ModalBasis basis =
+        reduceToModes(makeFiniteElementModel(makeSteelBeam(3)), {{{4}, 0, {}}}, 5);
+    return basis;
+}
+
 class Fixture {
 public:
-    Fixture(const AddConstraint& add, Tree tree) : m_matter(m_system) {
+    Fixture(const AddConstraint& add, Tree tree) : m_matter(m_system), m_forces(m_system) {
         const Body::Rigid body(MassProperties(1.7, Vec3(0.1, -0.2, 0.05), Inertia(0.5, 0.6, 0.4)));
         const Transform X_PF(Rotation(0.4, XAxis), Vec3(0.3, 0.1, -0.2));
         MobilizedBody::Free ancestor(m_matter.Ground(), body);
         MobilizedBody::Free first(ancestor, X_PF, body, Transform(Vec3(0.1, 0.2, 0.3)));
         MobilizedBody::Ball second(ancestor, Transform(), body, X_PF);
-        MobilizedBody& ground = m_matter.updGround();
-        if (tree == Tree::AncestorMoves) m_constraint = add(first, second);
-        if (tree == Tree::IOnGround) m_constraint = add(ground, second);
-        if (tree == Tree::JOnGround) m_constraint = add(first, ground);
+        Marker I(first, PoseI), J(second, PoseJ);
+        if (tree == Tree::IOnGround) I = Marker(m_matter.updGround(), PoseI);
+        if (tree == Tree::JOnGround) J = Marker(m_matter.updGround(), PoseJ);
+        if (tree == Tree::FlexibleI || tree == Tree::FlexibleBoth)
+            I = Marker(FlexibleBody(m_matter, m_forces, getBasis()), 4, PoseI);
+        if (tree == Tree::FlexibleJ || tree == Tree::FlexibleBoth)
+            J = Marker(FlexibleBody(m_matter, m_forces, getBasis()), 2, PoseJ);
+        m_constraint = add(I, J);
         m_state = m_system.realizeTopology();
         // Without quaternions every q is free, and a polynomial in time is a possible motion.
         m_matter.setUseEulerAngles(m_state, true);
@@ -135,12 +153,19 @@ private:
 
     MultibodySystem m_system;
     SimbodyMatterSubsystem m_matter;
+    GeneralForceSubsystem m_forces;
     Constraint m_constraint;
     State m_state;
     Vector m_q0, m_q1, m_q2;
 };
 
 }  // namespace
+
+const char* getName(Tree tree) {
+    static const char* const names[] = {"AncestorMoves", "IOnGround", "JOnGround",
+                                        "FlexibleI",     "FlexibleJ", "FlexibleBoth"};
+    return names[int(tree)];
+}
 
 Conformance measureConformance(const AddConstraint& add, Tree tree, int seed) {
     return Fixture(add, tree).measure(seed);

@@ -6,6 +6,8 @@
 
 #include <functional>
 
+#include "jprim/marker/marker.h"
+
 namespace jprim::testing {
 
 /// How far one holonomic constraint is from the identities that every constraint must satisfy off its
@@ -19,12 +21,14 @@ struct Conformance {
     int equations = 0;
 };
 
-/// Adds the constraint to be tested between two bodies and returns it.
-using AddConstraint = std::function<SimTK::Constraint(SimTK::MobilizedBody& I, SimTK::MobilizedBody& J)>;
+/// Adds the constraint to be tested between two markers and returns it.
+using AddConstraint = std::function<SimTK::Constraint(const Marker& I, const Marker& J)>;
 
-/// The tree the constraint is tested in: I and J are both children of a moving body, so that the frame in
-/// which Simbody hands over poses, their ancestor, is not Ground.
-enum class Tree { AncestorMoves, IOnGround, JOnGround };
+/// What carries the markers. AncestorMoves: I and J are both on children of a moving body, so that the frame
+/// in which Simbody hands over poses, their ancestor, is not Ground. Flexible…: on nodes of flexible beams.
+enum class Tree { AncestorMoves, IOnGround, JOnGround, FlexibleI, FlexibleJ, FlexibleBoth };
+
+const char* getName(Tree tree);
 
 /// Measures one constraint at one random state.
 Conformance measureConformance(const AddConstraint& add, Tree tree, int seed);

@@ -36,18 +36,18 @@ public:
     ///@}
 
     /// @name Markers
-    /// A marker's body is fixed at construction. Its pose on that body has a default, which belongs to the
-    /// topology, and a value in each State, which belongs to Stage::Position: setting it needs
-    /// Stage::Topology and no rebuilding. A changed pose may violate the constraint; assemble again.
+    /// A marker's body or node is fixed at construction. Its pose on that (X: X_BM, or X_NM of a flexible
+    /// marker) has a default, which belongs to the topology, and a value in each State, which belongs to
+    /// Stage::Position: setting it needs Stage::Topology and no rebuilding. A changed pose may violate the constraint; assemble again.
     ///@{
     Marker getDefaultMarkerI() const;
     Marker getDefaultMarkerJ() const;
-    Primitive& setDefaultMarkerI(const SimTK::Transform& X_BI);
-    Primitive& setDefaultMarkerJ(const SimTK::Transform& X_BJ);
+    Primitive& setDefaultMarkerI(const SimTK::Transform& X);
+    Primitive& setDefaultMarkerJ(const SimTK::Transform& X);
     Marker getMarkerI(const SimTK::State& state) const;
     Marker getMarkerJ(const SimTK::State& state) const;
-    void setMarkerI(SimTK::State& state, const SimTK::Transform& X_BI) const;
-    void setMarkerJ(SimTK::State& state, const SimTK::Transform& X_BJ) const;
+    void setMarkerI(SimTK::State& state, const SimTK::Transform& X) const;
+    void setMarkerJ(SimTK::State& state, const SimTK::Transform& X) const;
     ///@}
 
     /// @name Reactions
