@@ -21,6 +21,11 @@ public:
 
     std::optional<Mechanism> build() {
         m_mechanism.m_title = m_dataset.title;
+        for (const FlexBodyStatement& body : m_dataset.flexBodies)
+            report(Severity::Error, body.where,
+                   "FLEX_BODY/" + std::to_string(body.id) +
+                       " is read but cannot be simulated from a dataset yet; use jprim::FlexibleBody in C++");
+        if (m_failed) return std::nullopt;
         chooseUnits();
         findMarkerPoses();
         chooseLengthUnit();

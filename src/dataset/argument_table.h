@@ -24,8 +24,10 @@ enum class ArgumentKind {
     Angle,         ///< the same, each allowed the suffix D
     Zero,          ///< a number that must be 0, because its effect is not supported yet
     Part,          ///< the id of a PART
+    FlexBody,      ///< the id of a FLEX_BODY
     Marker,        ///< the id of a MARKER
     MarkerOrZero,  ///< the same, or 0 for ground
+    Node,          ///< the number of one node of a mesh
     Words,         ///< colon list of words
     Text,          ///< free text up to the next comma
     Expression,    ///< function expression up to a backslash
@@ -38,11 +40,11 @@ constexpr bool isBare(ArgumentKind kind) {
     return kind == ArgumentKind::Flag || kind == ArgumentKind::Choice;
 }
 
-/// What must hold between a marker that a statement names and the parts, beyond that the marker exists.
+/// What must hold between a marker that a statement names and its owner, beyond that the marker exists.
 enum class MarkerLink {
     None,
     SamePart,   ///< it belongs to the PART that names it
-    OtherPart,  ///< I and J: they belong to different parts
+    OtherPart,  ///< I and J: they belong to different parts or flexible bodies
 };
 
 /// One argument of a statement.
@@ -107,7 +109,9 @@ public:
         Store store = nullptr;  ///< null if the argument leaves nothing behind
     };
 
-    ArgumentTable(std::initializer_list<Row> rows) {
+    ArgumentTable(std::initializer_list<Row> rows) { add(rows); }
+
+    void add(std::initializer_list<Row> rows) {
         for (const Row& row : rows) {
             m_rules.push_back(row.rule);
             m_stores.push_back(row.store);

@@ -11,17 +11,23 @@
 namespace jprim {
 namespace {
 
-std::string describeCount(const ArgumentRule& rule) {
-    if (rule.least != rule.most) return fmt::format("{} or {} numbers", rule.least, rule.most);
-    return rule.most == 1 ? "1 number" : fmt::format("{} numbers", rule.most);
-}
-
 bool isNumeric(ArgumentKind kind) {
     return kind == ArgumentKind::Real || kind == ArgumentKind::Angle || kind == ArgumentKind::Zero;
 }
 
+bool isReference(ArgumentKind kind) {
+    return kind == ArgumentKind::Part || kind == ArgumentKind::FlexBody || kind == ArgumentKind::Marker ||
+           kind == ArgumentKind::MarkerOrZero;
+}
+
 bool isId(ArgumentKind kind) {
-    return kind == ArgumentKind::Part || kind == ArgumentKind::Marker || kind == ArgumentKind::MarkerOrZero;
+    return isReference(kind) || kind == ArgumentKind::Node;
+}
+
+std::string describeCount(const ArgumentRule& rule) {
+    if (isId(rule.kind)) return rule.kind == ArgumentKind::Node ? "1 node" : "1 id";
+    if (rule.least != rule.most) return fmt::format("{} or {} numbers", rule.least, rule.most);
+    return rule.most == 1 ? "1 number" : fmt::format("{} numbers", rule.most);
 }
 
 }  // namespace
@@ -66,12 +72,13 @@ bool StatementReader::readNumbers(const ArgumentRule& rule, ArgumentValue& value
         ++value.count;
     } while (m_errors < MostErrors && isNextValue(rule, value.count));
     if (good && value.count != rule.least && value.count != rule.most) {
-        const std::string takes = isId(rule.kind) ? "1 id" : describeCount(rule);
+        const bool node = rule.kind == ArgumentKind::Node;
         addError(m_given.back().second,
-                 fmt::format("{} takes {}, not {}", describe(rule), takes, value.count));
+                 fmt::format("{} takes {}, not {}{}", describe(rule), describeCount(rule), value.count,
+                             node ? "; nodes cannot be averaged yet" : ""));
         return false;
     }
-    if (good && isId(rule.kind)) addReference(rule, value);
+    if (good && isReference(rule.kind)) addReference(rule, value);
     return good;
 }
 

@@ -14,12 +14,17 @@ auto tie(const UnitsStatement& u) {
 auto tie(const AccgravStatement& a) {
     return std::tie(a.acceleration);
 }
+auto tieCoordinates(const RigidCoordinates& c) {
+    return std::tie(c.qg, c.reuler, c.zg, c.xg, c.v, c.w, c.vm, c.wm, c.exact);
+}
 auto tie(const PartStatement& p) {
-    return std::tie(p.id, p.ground, p.qg, p.reuler, p.zg, p.xg, p.mass, p.cm, p.im, p.ip, p.v, p.w, p.vm,
-                    p.wm, p.exact);
+    return std::tuple_cat(tieCoordinates(p), std::tie(p.id, p.ground, p.mass, p.cm, p.im, p.ip));
+}
+auto tie(const FlexBodyStatement& f) {
+    return std::tuple_cat(tieCoordinates(f), std::tie(f.id, f.modesFile, f.cratio, f.constantCoupling));
 }
 auto tie(const MarkerStatement& m) {
-    return std::tie(m.id, m.part, m.qp, m.reuler, m.zp, m.xp, m.usexp);
+    return std::tie(m.id, m.part, m.flexBody, m.node, m.qp, m.reuler, m.zp, m.xp, m.usexp);
 }
 auto tie(const JprimStatement& j) {
     return std::tie(j.id, j.type, j.i, j.j);
@@ -47,11 +52,12 @@ bool equal(const std::vector<Statement>& a, const std::vector<Statement>& b) {
 
 }  // namespace
 
-// The counts tell how reading went and are no part of what the dataset says.
+// Folder and counts tell how reading went and are no part of what the dataset says.
 bool operator==(const Dataset& a, const Dataset& b) {
     return a.title == b.title && equal(a.units, b.units) && equal(a.gravity, b.gravity) &&
-           equal(a.parts, b.parts) && equal(a.markers, b.markers) && equal(a.jprims, b.jprims) &&
-           equal(a.joints, b.joints) && equal(a.requests, b.requests) && equal(a.ignored, b.ignored);
+           equal(a.parts, b.parts) && equal(a.flexBodies, b.flexBodies) && equal(a.markers, b.markers) &&
+           equal(a.jprims, b.jprims) && equal(a.joints, b.joints) && equal(a.requests, b.requests) &&
+           equal(a.ignored, b.ignored);
 }
 
 bool operator!=(const Dataset& a, const Dataset& b) {

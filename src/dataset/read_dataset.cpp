@@ -115,7 +115,9 @@ Dataset readDatasetFile(const std::string& path, Diagnostics& diagnostics) {
         diagnostics.push_back({Severity::Error, {}, "cannot read the file; check its name and permissions"});
         return {};
     }
-    return readDataset(text, diagnostics);
+    Dataset dataset = readDataset(text, diagnostics);
+    dataset.folder = std::filesystem::path(path).parent_path().string();
+    return dataset;
 }
 
 }  // namespace jprim

@@ -12,7 +12,17 @@ void ReadState::addError(std::size_t statement, SourcePosition where, std::strin
     diagnostics.push_back({Severity::Error, where, std::move(message)});
 }
 
+std::string Owner::getName() const {
+    return fmt::format("{}/{}", keyword, id);
+}
+
 namespace {
+
+// The kind of statement that an argument names.
+std::string_view getKeyword(ArgumentKind kind) {
+    if (kind == ArgumentKind::Part) return "PART";
+    return kind == ArgumentKind::FlexBody ? "FLEX_BODY" : "MARKER";
+}
 
 // The entry with this id, or null.
 const IdEntry* findEntry(const IdMap& ids, int id) {
@@ -25,11 +35,16 @@ std::string describe(const Reference& reference) {
     return fmt::format("{} of {}/{}", reference.rule->name, reference.keyword, reference.ownId);
 }
 
-void checkSamePart(ReadState& state, const Reference& reference, int part) {
-    if (part == reference.ownId) return;
+bool isSame(const Owner& a, const Owner& b) {
+    return a.id == b.id && a.keyword == b.keyword;
+}
+
+void checkSamePart(ReadState& state, const Reference& reference, const Owner& owner) {
+    const Owner self{reference.keyword, reference.ownId};
+    if (isSame(owner, self)) return;
     state.addError(reference.statement, reference.where,
-                   fmt::format("{}: MARKER/{} is on PART/{}; name a marker of PART/{}", describe(reference),
-                               reference.id, part, reference.ownId));
+                   fmt::format("{}: MARKER/{} is on {}; name a marker of {}", describe(reference),
+                               reference.id, owner.getName(), self.getName()));
 }
 
 // I and J of a statement follow each other in the list, in either order.
@@ -37,41 +52,38 @@ class OtherPartCheck {
 public:
     explicit OtherPartCheck(ReadState& state) : m_state(state) {}
 
-    void check(const Reference& reference, int part) {
-        const bool pair = m_part != 0 && m_statement == reference.statement;
-        if (pair && m_part == part)
+    void check(const Reference& reference, const Owner& owner) {
+        const bool pair = m_owner.id != 0 && m_statement == reference.statement;
+        if (pair && isSame(m_owner, owner))
             m_state.addError(reference.statement, reference.where,
-                             fmt::format("{}/{} connects PART/{} with itself; I and J must be markers of "
+                             fmt::format("{}/{} connects {} with itself; I and J must be markers of "
                                          "different parts",
-                                         reference.keyword, reference.ownId, part));
+                                         reference.keyword, reference.ownId, owner.getName()));
         m_statement = reference.statement;
-        m_part = part;
+        m_owner = owner;
     }
 
 private:
     ReadState& m_state;
     std::size_t m_statement = 0;
-    int m_part = 0;
+    Owner m_owner;
 };
 
 }  // namespace
 
 void checkReferences(ReadState& state) {
     OtherPartCheck otherPart(state);
-    const IdMap& parts = state.ids["PART"];
-    const IdMap& markers = state.ids["MARKER"];
     for (const Reference& reference : state.references) {
-        const bool toPart = reference.rule->kind == ArgumentKind::Part;
-        const IdEntry* const entry = findEntry(toPart ? parts : markers, reference.id);
+        const std::string_view keyword = getKeyword(reference.rule->kind);
+        const IdEntry* const entry = findEntry(state.ids[keyword], reference.id);
         if (!entry) {
             state.addError(reference.statement, reference.where,
-                           fmt::format("{}: there is no {}/{}", describe(reference),
-                                       toPart ? "PART" : "MARKER", reference.id));
+                           fmt::format("{}: there is no {}/{}", describe(reference), keyword, reference.id));
             continue;
         }
-        if (toPart || entry->part == 0) continue;
-        if (reference.rule->link == MarkerLink::SamePart) checkSamePart(state, reference, entry->part);
-        if (reference.rule->link == MarkerLink::OtherPart) otherPart.check(reference, entry->part);
+        if (entry->owner.id == 0) continue;
+        if (reference.rule->link == MarkerLink::SamePart) checkSamePart(state, reference, entry->owner);
+        if (reference.rule->link == MarkerLink::OtherPart) otherPart.check(reference, entry->owner);
     }
 }
 

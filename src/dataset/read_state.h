@@ -18,10 +18,18 @@ namespace jprim {
 /// What became of one statement.
 enum class Outcome : std::uint8_t { Built, Ignored, Error };
 
-/// Where the statement with an id stands, and for a MARKER the part that owns it (0 if it was unreadable).
+/// What a marker is on: PART/2 or FLEX_BODY/2, which are not the same.
+struct Owner {
+    std::string_view keyword;  ///< in full; empty if there is none
+    int id = 0;                ///< 0 if it was unreadable
+
+    std::string getName() const;
+};
+
+/// Where the statement with an id stands, and what owns it if it is a MARKER.
 struct IdEntry {
     int line = 0;
-    int part = 0;
+    Owner owner;
 };
 
 /// Adams' ids are small consecutive numbers, and a hostile file could choose ones that all fall into the
@@ -35,8 +43,8 @@ struct IdHash {
 };
 using IdMap = std::unordered_map<int, IdEntry, IdHash>;
 
-/// A mention of a part or marker, checked when the whole file is known, because it may come before the
-/// statement it names.
+/// A mention of a part, flexible body or marker, checked when the whole file is known, because it may come
+/// before the statement it names.
 struct Reference {
     std::size_t statement = 0;  ///< counts the file's statements from 0
     std::string_view keyword;   ///< the statement that mentions it: JPRIM
@@ -55,7 +63,7 @@ struct ReadState {
     std::vector<Outcome> outcomes;                    ///< one for each statement so far
     std::unordered_map<std::string_view, IdMap> ids;  ///< by full keyword
     std::vector<Reference> references;
-    int precedingPart = 0;    ///< the default owner of a MARKER; 0 if there is none yet
+    Owner precedingOwner;     ///< the default owner of a MARKER
     SourcePosition ground;    ///< the GROUND part, once one was found
     bool partFailed = false;  ///< a PART has errors, so nothing is sure about the parts
 

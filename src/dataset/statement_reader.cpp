@@ -78,9 +78,9 @@ void StatementReader::readHead(std::string_view fullKeyword, bool hasId) {
         addError(m_at, fmt::format("a comma is missing after {}", getName()));
 }
 
-void StatementReader::registerId(int part) {
+void StatementReader::registerId(const Owner& owner) {
     const SourcePosition here = getPosition();
-    const auto [entry, isNew] = m_state.ids[m_keyword].try_emplace(m_id, IdEntry{here.line, part});
+    const auto [entry, isNew] = m_state.ids[m_keyword].try_emplace(m_id, IdEntry{here.line, owner});
     if (!isNew)
         addError(0, fmt::format("{} is already given in line {}; choose another id", getName(),
                                 entry->second.line));

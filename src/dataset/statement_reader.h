@@ -37,7 +37,7 @@ public:
     /// Reads what follows the slash up to the first argument.
     void readHead(std::string_view fullKeyword, bool hasId);
     /// Adds this statement to those of its kind; a second one with the same id is an error.
-    void registerId(int part = 0);
+    void registerId(const Owner& owner = {});
 
     /// Reads all arguments into the target. False if there was any error; if not, every argument that the
     /// table requires was given.

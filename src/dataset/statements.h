@@ -26,6 +26,7 @@ const std::vector<StatementRule>& getStatementRules();
 void readUnits(StatementReader& reader);
 void readAccgrav(StatementReader& reader);
 void readPart(StatementReader& reader);
+void readFlexBody(StatementReader& reader);
 void readMarker(StatementReader& reader);
 void readJprim(StatementReader& reader);
 void readJoint(StatementReader& reader);

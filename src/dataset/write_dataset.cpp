@@ -113,6 +113,13 @@ void writeInertia(StatementWriter& w, const std::array<double, 6>& ip) {
     if (ip[3] != 0 || ip[4] != 0 || ip[5] != 0) w.add(fmt::format("{}, {}, {}", ip[3], ip[4], ip[5]));
 }
 
+void writePose(StatementWriter& w, const RigidCoordinates& c) {
+    w.add("QG", c.qg);
+    w.add("REULER", c.reuler);
+    w.add("ZG", c.zg);
+    w.add("XG", c.xg);
+}
+
 void writeExact(StatementWriter& w, const std::array<bool, 6>& exact) {
     constexpr std::array<const char*, 6> names = {"X", "Y", "Z", "PSI", "THETA", "PHI"};
     std::string words;
@@ -121,30 +128,50 @@ void writeExact(StatementWriter& w, const std::array<bool, 6>& exact) {
     w.add("EXACT", words);
 }
 
+void writeMotion(StatementWriter& w, const RigidCoordinates& c) {
+    constexpr std::array<const char*, 3> linear = {"VX", "VY", "VZ"};
+    constexpr std::array<const char*, 3> angular = {"WX", "WY", "WZ"};
+    for (std::size_t i = 0; i < 3; ++i) w.add(linear[i], c.v[i]);
+    for (std::size_t i = 0; i < 3; ++i) w.add(angular[i], c.w[i]);
+    w.add("VM", c.vm);
+    w.add("WM", c.wm);
+    writeExact(w, c.exact);
+}
+
 void write(StatementWriter& w, const PartStatement& p) {
     w.begin("PART", p.id);
     if (p.ground) w.add("GROUND");
-    w.add("QG", p.qg);
-    w.add("REULER", p.reuler);
-    w.add("ZG", p.zg);
-    w.add("XG", p.xg);
+    writePose(w, p);
     w.add("MASS", p.mass);
     w.add("CM", p.cm);
     w.add("IM", p.im);
     if (p.ip) writeInertia(w, *p.ip);
-    constexpr std::array<const char*, 3> linear = {"VX", "VY", "VZ"};
-    constexpr std::array<const char*, 3> angular = {"WX", "WY", "WZ"};
-    for (std::size_t i = 0; i < 3; ++i) w.add(linear[i], p.v[i]);
-    for (std::size_t i = 0; i < 3; ++i) w.add(angular[i], p.w[i]);
-    w.add("VM", p.vm);
-    w.add("WM", p.wm);
-    writeExact(w, p.exact);
+    writeMotion(w, p);
+    w.end();
+}
+
+// A name with blanks or quotes stands in quotes of the kind that it does not contain.
+std::string quoteName(const std::string& name) {
+    if (name.find_first_of(" \t\r\v\f'\"") == name.npos) return name;
+    const char mark = name.find('"') == name.npos ? '"' : '\'';
+    return mark + name + mark;
+}
+
+void write(StatementWriter& w, const FlexBodyStatement& f) {
+    w.begin("FLEX_BODY", f.id);
+    w.add("MODES_FILE", quoteName(f.modesFile));
+    writePose(w, f);
+    writeMotion(w, f);
+    if (f.constantCoupling) w.add("INVARIANTS=T:T:F:F:F:T:T:F:F");
+    if (f.cratio) w.addExpression("CRATIO", fmt::format("{}", *f.cratio));
     w.end();
 }
 
 void write(StatementWriter& w, const MarkerStatement& m) {
     w.begin("MARKER", m.id);
     w.add("PART", m.part);
+    w.add("FLEX_BODY", m.flexBody);
+    w.add("NODE_ID", m.node);
     w.add("QP", m.qp);
     w.add("REULER", m.reuler);
     w.add("ZP", m.zp);
@@ -203,6 +230,7 @@ std::string writeDataset(const Dataset& dataset) {
     };
     if (dataset.units) write(writer, *dataset.units);
     writeAll(dataset.parts);
+    writeAll(dataset.flexBodies);
     writeAll(dataset.markers);
     writeAll(dataset.jprims);
     writeAll(dataset.joints);

@@ -51,11 +51,11 @@ TEST(DatasetErrors, Statements) {
 
 TEST(DatasetErrors, StatementsNotSupportedYet) {
     for (const std::string keyword :
-         {"GCON",       "SFORCE",   "VFORCE",      "VTORQUE",    "GFORCE",      "SPRINGDAMPER", "BUSHING",
-          "COUPLER",    "VARIABLE", "SPLINE",      "POINT_MASS", "FLEX_BODY",   "SENSOR",       "MATRIX",
-          "CURVE",      "PTCV",     "CVCV",        "CONTACT",    "FRICTION",    "BEAM",         "FIELD",
-          "NFORCE",     "ARRAY",    "STRING",      "DIFF",       "LSE",         "GSE",          "INTEGRATOR",
-          "KINEMATICS", "IC",       "EQUILIBRIUM", "DEBUG",      "PREFERENCES", "MREQUEST"})
+         {"GCON",    "SFORCE",      "VFORCE",  "VTORQUE",     "GFORCE",  "SPRINGDAMPER", "BUSHING",
+          "COUPLER", "VARIABLE",    "SPLINE",  "POINT_MASS",  "SENSOR",  "MATRIX",       "CURVE",
+          "PTCV",    "CVCV",        "CONTACT", "FRICTION",    "BEAM",    "FIELD",        "NFORCE",
+          "ARRAY",   "STRING",      "DIFF",    "LSE",         "GSE",     "INTEGRATOR",   "KINEMATICS",
+          "IC",      "EQUILIBRIUM", "DEBUG",   "PREFERENCES", "MREQUEST"})
         EXPECT_EQ(readInModel(keyword + "/1, QQQ=(1,2").findings,
                   "3:1: error: " + keyword + " is not supported yet");
     check({
@@ -188,18 +188,19 @@ TEST(DatasetErrors, Markers) {
          "3:11: error: MARKER/3 takes REULER or ZP, not both"},
         {"no point for USEXP", "MARKER/3, USEXP, ZP=1,2,3",
          "3:11: error: USEXP of MARKER/3 needs a point on the x axis: XP="},
-        {"owner of another kind", "MARKER/3, FLEX_BODY=1",
-         "3:11: error: FLEX_BODY of MARKER/3 is not supported yet"},
+        {"owner of another kind", "MARKER/3, FE_PART=1",
+         "3:11: error: FE_PART of MARKER/3 is not supported yet"},
         {"point mass", "MARKER/3, POI=1", "3:11: error: POINT_MASS of MARKER/3 is not supported yet"},
         {"floating", "MARKER/3, FLOATING", "3:11: error: FLOATING of MARKER/3 is not supported yet"},
-        {"nodes", "MARKER/3, NODE_ID=1,2,3, QP=1,2",
-         "3:11: error: NODE_ID of MARKER/3 is not supported yet\n"
-         "3:26: error: QP of MARKER/3 takes 3 numbers, not 2"},
+        {"label of nodes", "MARKER/3, NODE_LABEL=1,2,3, QP=1,2",
+         "3:11: error: NODE_LABEL of MARKER/3 is not supported yet\n"
+         "3:29: error: QP of MARKER/3 takes 3 numbers, not 2"},
         {"reference marker", "MARKER/3, RM=1", "3:11: error: RM of MARKER/3 is not supported yet"},
         {"curve", "MARKER/3, CURVE=1", "3:11: error: CURVE of MARKER/3 is not supported yet"},
     });
     EXPECT_EQ(read("t\nMARKER/3\nPART/1, GROUND\nEND").findings,
-              "2:1: error: MARKER/3 names no PART, and none precedes it; name one: PART=");
+              "2:1: error: MARKER/3 names no PART or FLEX_BODY, and none precedes it; name one: PART= or "
+              "FLEX_BODY=");
 }
 
 TEST(DatasetErrors, PrimitivesAndJoints) {

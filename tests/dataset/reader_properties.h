@@ -42,9 +42,9 @@ inline std::string findBrokenProperty(std::string_view text) {
     }
     if (hasErrors(diagnostics)) return {};
 
-    const std::size_t members = dataset.parts.size() + dataset.markers.size() + dataset.jprims.size() +
-                                dataset.joints.size() + dataset.requests.size() + (dataset.units ? 1u : 0u) +
-                                (dataset.gravity ? 1u : 0u);
+    const std::size_t members = dataset.parts.size() + dataset.flexBodies.size() + dataset.markers.size() +
+                                dataset.jprims.size() + dataset.joints.size() + dataset.requests.size() +
+                                (dataset.units ? 1u : 0u) + (dataset.gravity ? 1u : 0u);
     if (members != static_cast<std::size_t>(counts.built)) return "not every built statement is a member";
     const std::string written = writeDataset(dataset);
     Diagnostics again;

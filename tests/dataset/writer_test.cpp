@@ -28,7 +28,8 @@ Dataset reread(const std::string& text) {
 TEST(DatasetWriter, FullDatasetSurvives) {
     const Dataset dataset = makeFullDataset();
     EXPECT_EQ(dataset.parts.size(), 3u);
-    EXPECT_EQ(dataset.jprims.size(), 6u);
+    EXPECT_EQ(dataset.flexBodies.size(), 3u);
+    EXPECT_EQ(dataset.jprims.size(), 8u);
     EXPECT_EQ(dataset.joints.size(), 8u);
     EXPECT_EQ(dataset.requests.size(), 5u);
     EXPECT_EQ(reread(writeDataset(dataset)), dataset);
@@ -81,6 +82,24 @@ TEST(DatasetWriter, EachProductOfInertiaIsWritten) {
         dataset.parts[2].ip = std::array<double, 6>{1, 2, 3, 0, 0, 0};
         (*dataset.parts[2].ip)[i] = -0.5;
         EXPECT_EQ(reread(writeDataset(dataset)), dataset) << i;
+    }
+}
+
+TEST(DatasetWriter, FileNamesAreQuotedIfTheyMustBe) {
+    Dataset dataset = readGood("FLEX_BODY/3, MODES_FILE=x");
+    const std::pair<const char*, const char*> names[] = {{"a/b-c_D.modes", "a/b-c_D.modes"},
+                                                         {"C:\\a.modes", "C:\\a.modes"},
+                                                         {"=", "="},
+                                                         {"my beam", "\"my beam\""},
+                                                         {" ", "\" \""},
+                                                         {"it's", "\"it's\""},
+                                                         {"12\" rod", "'12\" rod'"},
+                                                         {"\"", "'\"'"}};
+    for (const auto& [name, written] : names) {
+        dataset.flexBodies[0].modesFile = name;
+        const std::string text = writeDataset(dataset);
+        EXPECT_NE(text.find("FLEX_BODY/3, MODES_FILE=" + std::string(written) + "\n"), text.npos) << text;
+        EXPECT_EQ(reread(text), dataset) << text;
     }
 }
 

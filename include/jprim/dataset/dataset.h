@@ -39,34 +39,51 @@ struct AccgravStatement {
     Triple acceleration{};
 };
 
-/// The coordinates that PART/EXACT can name, in the order of PartStatement::exact.
+/// The coordinates that EXACT can name, in the order of RigidCoordinates::exact.
 enum class PartCoordinate { X, Y, Z, Psi, Theta, Phi };
 
-/// PART: a rigid body, or ground.
-struct PartStatement {
-    SourcePosition where;
-    int id = 0;
-    bool ground = false;
+/// What PART and FLEX_BODY say in the same words: where the body begins, and how it moves there.
+struct RigidCoordinates {
     std::optional<Triple> qg;      ///< origin of the body coordinate system (BCS) in ground axes; 0,0,0
     std::optional<Triple> reuler;  ///< BCS orientation: body-fixed 3-1-3 angles; excludes zg and xg
     std::optional<Triple> zg;      ///< a point on the BCS' +z axis, in ground axes
     std::optional<Triple> xg;      ///< a point in the +x half of the BCS' xz plane, in ground axes
+    std::array<std::optional<double>, 3> v;  ///< VX VY VZ of the mass centre; empty means free
+    std::array<std::optional<double>, 3> w;  ///< WX WY WZ; empty means free
+    int vm = 0;                              ///< marker whose axes v is along; ground axes if 0
+    int wm = 0;                   ///< marker whose axes w is about; if 0 cm's, of a FLEX_BODY the BCS'
+    std::array<bool, 6> exact{};  ///< EXACT, indexed by PartCoordinate
+};
+
+/// PART: a rigid body, or ground.
+struct PartStatement : RigidCoordinates {
+    SourcePosition where;
+    int id = 0;
+    bool ground = false;
     std::optional<double> mass;
     int cm = 0;                               ///< marker at the mass centre
     int im = 0;                               ///< inertia marker; cm if 0
     std::optional<std::array<double, 6>> ip;  ///< xx, yy, zz, xy, xz, yz about im; products as +Int(xy dm)
-    std::array<std::optional<double>, 3> v;   ///< VX VY VZ of the mass centre; empty means free
-    std::array<std::optional<double>, 3> w;   ///< WX WY WZ; empty means free
-    int vm = 0;                               ///< marker whose axes v is along; ground axes if 0
-    int wm = 0;                               ///< marker whose axes w is about; cm's if 0
-    std::array<bool, 6> exact{};              ///< EXACT, indexed by PartCoordinate
 };
 
-/// MARKER: a frame fixed to a part. Pose in the part's BCS.
+/// FLEX_BODY: a flexible body described by the modes in a file. Its BCS is the frame of the mesh.
+struct FlexBodyStatement : RigidCoordinates {
+    SourcePosition where;
+    int id = 0;
+    std::string modesFile;          ///< as written; a relative name starts from Dataset::folder
+    std::optional<double> cratio;   ///< fraction of critical damping of every mode; by frequency if empty
+    bool constantCoupling = false;  ///< INVARIANTS: inertia coupling Constant instead of Partial
+};
+
+/// MARKER: a frame fixed to a part or flexible body. Pose in the owner's BCS, before it deforms. After
+/// reading exactly one of `part` and `flexBody` is not 0: the nearest PART or FLEX_BODY before it is the
+/// default.
 struct MarkerStatement {
     SourcePosition where;
     int id = 0;
-    int part = 0;  ///< the owner; never 0 after reading (the nearest preceding PART is the default)
+    int part = 0;      ///< the owner if it is a PART
+    int flexBody = 0;  ///< the owner if it is a FLEX_BODY
+    int node = 0;      ///< NODE_ID, 0 if not given; without effect on a PART
     std::optional<Triple> qp;
     std::optional<Triple> reuler;
     std::optional<Triple> zp;
@@ -129,9 +146,11 @@ struct StatementCounts {
 /// A whole dataset. Within a kind, statements stand in the order of the file.
 struct Dataset {
     std::string title;
+    std::string folder;  ///< of the file that was read by readDatasetFile(), else empty; not compared
     std::optional<UnitsStatement> units;
     std::optional<AccgravStatement> gravity;
     std::vector<PartStatement> parts;
+    std::vector<FlexBodyStatement> flexBodies;
     std::vector<MarkerStatement> markers;
     std::vector<JprimStatement> jprims;
     std::vector<JointStatement> joints;
@@ -140,7 +159,7 @@ struct Dataset {
     StatementCounts counts;
 };
 
-/// True if both say the same. Neither `where` nor the counts are part of what a dataset says.
+/// True if both say the same. Neither `where`, the folder nor the counts are part of what a dataset says.
 bool operator==(const Dataset& a, const Dataset& b);
 bool operator!=(const Dataset& a, const Dataset& b);
 

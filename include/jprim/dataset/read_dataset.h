@@ -23,7 +23,8 @@ namespace jprim {
 /// @returns what could be read; use it only if there is no error among the diagnostics
 Dataset readDataset(std::string_view text, Diagnostics& diagnostics);
 
-/// Reads a dataset from a file. A file that cannot be read is one error without position.
+/// Reads a dataset from a file and notes the file's folder in it. A file that cannot be read is one error
+/// without position.
 Dataset readDatasetFile(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace jprim

@@ -8,8 +8,9 @@
 
 namespace jprim {
 
-/// The dataset as text that Adams/Solver and readDataset() read. Numbers carry the digits that
-/// reproduce them exactly; angles are written in radians. `readDataset(writeDataset(d)) == d`.
+/// The dataset as text that readDataset() reads, and Adams/Solver too if it has no FLEX_BODY. Numbers carry
+/// the digits that reproduce them exactly; angles are written in radians.
+/// `readDataset(writeDataset(d)) == d`.
 std::string writeDataset(const Dataset& dataset);
 
 }  // namespace jprim

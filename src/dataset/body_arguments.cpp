@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dataset/body_arguments.h"
+
+#include <fmt/format.h>
+
+namespace jprim {
+
+const std::vector<Word>& getCoordinateNames() {
+    static const std::vector<Word> words = {{"X"}, {"Y"}, {"Z"}, {"PSI"}, {"THETA"}, {"PHI"}};
+    return words;
+}
+
+void checkNotBoth(StatementReader& reader, const char* name, const char* other) {
+    if (reader.has(name) && reader.has(other))
+        reader.addError(reader.getOffset(name),
+                        fmt::format("{} takes {} or {}, not both", reader.getName(), name, other));
+}
+
+void checkOrientation(StatementReader& reader, const char* z, const char* x) {
+    checkNotBoth(reader, "REULER", z);
+    checkNotBoth(reader, "REULER", x);
+}
+
+}  // namespace jprim
