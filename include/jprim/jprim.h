@@ -18,6 +18,7 @@
 #include "jprim/flexible/finite_element_model.h"
 #include "jprim/flexible/flexible_body.h"
 #include "jprim/flexible/modal_basis.h"
+#include "jprim/flexible/read_mesh.h"
 #include "jprim/flexible/reduce_to_modes.h"
 #include "jprim/joint/joint.h"
 #include "jprim/marker/angles.h"
