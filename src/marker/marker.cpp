@@ -59,4 +59,14 @@ SpatialVec Marker::findAccelerationInGround(const State& state) const {
                                R_GB * V_BM, R_GB * A_BM);
 }
 
+void Marker::applyLoad(const State& state, const SpatialVec& load_G, SimTK::Vector_<SpatialVec>& bodyForces,
+                       SimTK::Vector& mobilityForces) const {
+    const Transform& X_GB = m_body.getBodyTransform(state);
+    const Vec3 s = X_GB.R() * findPoseInBody(state).p();
+    bodyForces[m_body.getMobilizedBodyIndex()] += SimTK::shiftForceBy(load_G, -s);
+    if (!m_node) return;
+    const ModalCoordinates& c = m_node->getCoordinates();
+    addModalLoads(*m_node, m_X, c.getEta(state), ~X_GB.R() * load_G, &mobilityForces[c.getFirstUIndex(state)]);
+}
+
 }  // namespace jprim

@@ -39,13 +39,13 @@ Eigen::MatrixXd calcTangent(const FlexibleSystem& s, const State& at) {
 
 namespace {
 
-constexpr double Nothing = 1e-7;  // of the highest frequency: what differences leave of zero
+constexpr double Nothing = 1e-9;  // of the largest: what differences leave of zero
 
 // Squared frequencies are the eigenvalues of minus the tangent; constraints' reactions are in it.
 struct Vibrations {
     explicit Vibrations(const Eigen::MatrixXd& tangent)
         : solver(-tangent), squares(solver.eigenvalues().real()) {}
-    bool isVibration(Eigen::Index i) const { return squares[i] > Nothing * Nothing * squares.maxCoeff(); }
+    bool isVibration(Eigen::Index i) const { return squares[i] > Nothing * squares.maxCoeff(); }
     Eigen::EigenSolver<Eigen::MatrixXd> solver;
     Eigen::VectorXd squares;
 };
@@ -71,16 +71,27 @@ Vector calcFirstMode(const FlexibleSystem& s, const State& state) {
     return Vector(int(mode.size()), mode.data());
 }
 
+// The step du satisfies tangent du = -udot and, weighed as heavily, G du = -perr.
 void findEquilibrium(const FlexibleSystem& s, State& state) {
-    for (int iteration = 0; iteration < 4; ++iteration) {
+    for (int iteration = 0; iteration < 6; ++iteration) {
         s.system.realize(state, Stage::Acceleration);
-        const Eigen::Map<const Eigen::VectorXd> udot(&state.getUDot()[0], state.getNU());
-        const Eigen::VectorXd step = calcTangent(s, state).completeOrthogonalDecomposition().solve(-udot);
+        const int n = state.getNU();
+        Matrix G;
+        s.matter.calcG(state, G);
+        const Eigen::MatrixXd tangent = calcTangent(s, state);
+        Eigen::MatrixXd A(n + G.nrow(), n);
+        Eigen::VectorXd b(n + G.nrow());
+        const double weight = tangent.cwiseAbs().maxCoeff();
+        A.topRows(n) = tangent;
+        for (int k = 0; k < n; ++k) b[k] = -state.getUDot()[k];
+        for (int k = 0; k < G.nrow(); ++k) {
+            for (int j = 0; j < n; ++j) A(n + k, j) = weight * G(k, j);
+            b[n + k] = -weight * state.getQErr()[k];
+        }
+        const Eigen::VectorXd step = A.colPivHouseholderQr().solve(b);
         Vector qdot;
-        s.matter.multiplyByN(state, false, Vector(int(step.size()), step.data()), qdot);
+        s.matter.multiplyByN(state, false, Vector(n, step.data()), qdot);
         state.updQ() += qdot;
-        s.system.realize(state, Stage::Position);
-        s.system.projectQ(state, 1e-12);
     }
     s.system.realize(state, Stage::Acceleration);
 }

@@ -44,7 +44,9 @@ SimTK::State integrate(const FlexibleSystem& system, const SimTK::State& initial
         system.system.realize(integrator.getState(), SimTK::Stage::Acceleration);
         observe(integrator.getState());
     }
-    return integrator.getState();
+    SimTK::State last = integrator.getState();  // a copy knows only its variables
+    system.system.realize(last, SimTK::Stage::Acceleration);
+    return last;
 }
 
 }  // namespace jprim::testing

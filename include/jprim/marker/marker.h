@@ -53,6 +53,12 @@ public:
     /// [angular acceleration, acceleration of the origin] in Ground. Requires Stage::Acceleration.
     SimTK::SpatialVec findAccelerationInGround(const SimTK::State& state) const;
 
+    /// Adds a load [moment, force] in Ground at the marker's origin to the forces of a
+    /// SimTK::Force::Custom::Implementation: on the body, and on the modal coordinates of a flexible marker.
+    /// Requires Stage::Position.
+    void applyLoad(const SimTK::State& state, const SimTK::SpatialVec& load_G,
+                   SimTK::Vector_<SimTK::SpatialVec>& bodyForces, SimTK::Vector& mobilityForces) const;
+
     /// For implementing constraints; null if the marker is not flexible.
     const std::shared_ptr<const FlexibleNode>& getNode() const { return m_node; }
 
