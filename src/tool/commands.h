@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "jprim/base/diagnostic.h"
 #include "jprim/build/mechanism.h"
@@ -29,8 +30,16 @@ struct CheckArguments {
     bool json = false;
 };
 
+struct ReduceArguments {
+    std::string mesh;
+    std::vector<std::string> interfaces;
+    int modes = 0;
+    std::string out;
+};
+
 ExitCode run(const RunArguments& arguments);
 ExitCode check(const CheckArguments& arguments);
+ExitCode reduce(const ReduceArguments& arguments);
 
 /// A model as far as it could be loaded.
 struct Model {

@@ -9,6 +9,7 @@
 namespace {
 
 using jprim::tool::CheckArguments;
+using jprim::tool::ReduceArguments;
 using jprim::tool::RunArguments;
 
 // CLI11's own checks let NaN through.
@@ -50,6 +51,18 @@ void addCheckOptions(CLI::App& command, CheckArguments& arguments) {
     command.add_flag("--json", arguments.json, "Print the report as JSON");
 }
 
+void addReduceOptions(CLI::App& command, ReduceArguments& arguments) {
+    command
+        .add_option("MESH", arguments.mesh,
+                    "CalculiX input (.inp) with its .sti, .mas and .dof files beside it")
+        ->required();
+    command.add_option("--interface", arguments.interfaces, "Set of nodes that moves as one rigid point");
+    command.add_option("--modes", arguments.modes, "Number of modes with all interfaces held")
+        ->required()
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("-o,--out", arguments.out, "File of modes to write")->required();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -59,19 +72,26 @@ int main(int argc, char** argv) {
 
     RunArguments runArguments;
     CheckArguments checkArguments;
+    ReduceArguments reduceArguments;
     CLI::App* run = app.add_subcommand("run", "Simulate a model");
     CLI::App* check = app.add_subcommand("check", "Read, assemble and count without simulating");
     addRunOptions(*run, runArguments);
     addCheckOptions(*check, checkArguments);
+    CLI::App* reduce = app.add_subcommand("reduce", "Reduce a finite-element mesh to modes");
+    addReduceOptions(*reduce, reduceArguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         // --help and --version arrive here too, as successes.
         return app.exit(error) == 0 ? jprim::tool::Done : jprim::tool::WrongUsage;
     }
-    const std::string& model = run->parsed() ? runArguments.model : checkArguments.model;
+    const std::string& model = run->parsed()     ? runArguments.model
+                               : check->parsed() ? checkArguments.model
+                                                 : reduceArguments.mesh;
     try {
-        const int code = run->parsed() ? jprim::tool::run(runArguments) : jprim::tool::check(checkArguments);
+        const int code = run->parsed()     ? jprim::tool::run(runArguments)
+                         : check->parsed() ? jprim::tool::check(checkArguments)
+                                           : jprim::tool::reduce(reduceArguments);
         if (std::fflush(stdout) == 0) return code;
         jprim::tool::printError(model, "standard output cannot be written");
     } catch (const std::exception& error) {

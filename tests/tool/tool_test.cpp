@@ -272,4 +272,25 @@ TEST_F(Tool, CheckCountsRedundantEquations) {
     EXPECT_EQ(json["redundant_equations"], 5);
 }
 
+//------------------------------------------------------------------------------------------- reduce
+const std::string Block = std::string(JPRIM_SOURCE_DIR) + "/tests/data/mesh/block.inp";
+
+TEST_F(Tool, ReduceWritesModesAndSaysWhatTheyAre) {
+    const fs::path file = m_folder / "block.modes";
+    const Outcome result = run("reduce " + Block + " --interface LEFT --modes 4 -o " + file.string());
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.out.find("mass                     15700\n"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("interface LEFT           node "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("mode 4 "), std::string::npos) << result.out;
+    EXPECT_EQ(readFile(file).rfind("jprim-modes 1\n", 0), 0u);
+}
+
+TEST_F(Tool, ReduceNamesASetThatDoesNotExist) {
+    const Outcome result =
+        run("reduce " + Block + " --interface QQQ --modes 4 -o " + (m_folder / "x").string());
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_EQ(result.err.rfind("error: block.inp: there is no node set 'QQQ'; there are ", 0), 0u)
+        << result.err;
+}
+
 }  // namespace
