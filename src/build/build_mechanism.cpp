@@ -31,6 +31,9 @@ void MechanismBuilder::chooseLengthUnit() {
     double largest = 0;  // [m]: markers are in SI until here
     for (const PartStatement& part : m_dataset.parts)
         if (!part.ground && part.cm != 0) largest = std::max(largest, calcReach(part));
+    for (const auto& [id, basis] : m_modes)
+        for (const ModalNode& node : basis.nodes)
+            largest = std::max(largest, (node.position - basis.rigid.center).norm());
     if (largest == 0 || !std::isfinite(largest)) return;
 
     const double L = m_mechanism.m_lengthUnit = std::pow(1000., std::round(std::log10(largest) / 3));
@@ -55,13 +58,22 @@ void MechanismBuilder::applyUcf(const UnitsStatement& statement) {
                    *statement.ucf, consistent));
 }
 
+void MechanismBuilder::indexParts() {
+    int index = 0;
+    for (const PartStatement& part : m_dataset.parts) m_partIndex[part.id] = index++;
+    for (const FlexBodyStatement& body : m_dataset.flexBodies) m_flexBodyIndex[body.id] = index++;
+}
+
 void MechanismBuilder::findMarkerPoses() {
     for (const MarkerStatement& marker : m_dataset.markers) {
         std::string problem;
-        m_markerPoses[marker.id] = makeFrame({marker.qp, marker.reuler, marker.zp, marker.xp, marker.usexp},
-                                             m_mechanism.m_units.length, problem);
-        m_partOfMarker[marker.id] = marker.part;
-        m_markersOfPart[marker.part].push_back(marker.id);
+        m_markerPoses[marker.id] =
+            makeFrame({findOrigin(marker), marker.reuler, marker.zp, marker.xp, marker.usexp},
+                      m_mechanism.m_units.length, problem);
+        const int owner =
+            marker.flexBody != 0 ? m_flexBodyIndex.at(marker.flexBody) : m_partIndex.at(marker.part);
+        m_ownerOfMarker[marker.id] = owner;
+        m_markersOfOwner[owner].push_back(marker.id);
         if (!problem.empty())
             report(Severity::Error, marker.where, fmt::format("MARKER/{}: {}", marker.id, problem));
     }
@@ -76,25 +88,22 @@ void MechanismBuilder::addGravity() {
 
 //------------------------------------------------------------------------------- markers and joints
 void MechanismBuilder::addMarkers() {
-    MobilizedBody& ground = m_mechanism.m_bodies->matter.updGround();
-    m_mechanism.m_markers[0] = Marker(ground);
-    for (const MarkerStatement& statement : m_dataset.markers) {
-        const MechanismPart& part = m_mechanism.m_parts[m_partIndex.at(statement.part)];
-        m_mechanism.m_markers[statement.id] =
-            Marker(part.body, part.bcs.getPose() * m_markerPoses[statement.id]);
-    }
-    for (size_t k = 0; k < m_dataset.parts.size(); ++k) {
-        const PartStatement& statement = m_dataset.parts[k];
-        MechanismPart& part = m_mechanism.m_parts[k];
-        if (part.ground) continue;
+    m_mechanism.m_markers[0] = Marker(m_mechanism.m_bodies->matter.updGround());
+    for (const MarkerStatement& statement : m_dataset.markers)
+        m_mechanism.m_markers[statement.id] = makeMarker(statement);
+    const auto setAxes = [this](const RigidCoordinates& statement, MechanismPart& part) {
+        if (part.ground) return;
         part.vm = m_mechanism.m_markers[statement.vm];
         part.wm = statement.wm == 0 ? part.cm : m_mechanism.m_markers[statement.wm];
-    }
+    };
+    size_t index = 0;
+    for (const PartStatement& part : m_dataset.parts) setAxes(part, m_mechanism.m_parts[index++]);
+    for (const FlexBodyStatement& body : m_dataset.flexBodies) setAxes(body, m_mechanism.m_parts[index++]);
 }
 
 void MechanismBuilder::checkAxes() {
     const auto getGivenOrientation = [this](int id) {
-        const MechanismPart& part = m_mechanism.m_parts[m_partIndex.at(m_partOfMarker.at(id))];
+        const MechanismPart& part = m_mechanism.m_parts[m_ownerOfMarker.at(id)];
         return part.givenPose.R() * m_markerPoses.at(id).R();
     };
     const auto check = [&](const auto& statements, const char* keyword) {

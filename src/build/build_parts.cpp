@@ -29,8 +29,8 @@ void MechanismBuilder::addParts() {
 Real MechanismBuilder::calcReach(const PartStatement& statement) const {
     const Vec3 center = getMarkerPose(statement.cm).p();
     Real reach = 0;
-    const auto markers = m_markersOfPart.find(statement.id);
-    if (markers != m_markersOfPart.end())
+    const auto markers = m_markersOfOwner.find(m_partIndex.at(statement.id));
+    if (markers != m_markersOfOwner.end())
         for (const int id : markers->second)
             reach = std::max(reach, (m_markerPoses.at(id).p() - center).norm());
     return reach;
@@ -40,16 +40,10 @@ Real MechanismBuilder::calcReach(const PartStatement& statement) const {
 // free body are then uncoupled, and nothing is lost where a dataset gives every part the same far-away
 // origin.
 void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass) {
-    const UnitSystem& units = m_mechanism.m_units;
     MechanismPart part;
-    part.id = statement.id;
+    part.name = fmt::format("PART/{}", statement.id);
     part.ground = statement.ground;
-
-    std::string problem;
-    part.givenPose =
-        makeFrame({statement.qg, statement.reuler, statement.zg, statement.xg, false}, units.length, problem);
-    if (!problem.empty())
-        report(Severity::Error, statement.where, fmt::format("PART/{}: {}", part.id, problem));
+    setRigidCoordinates(statement, statement.where, part);
 
     MobilizedBody& ground = m_mechanism.m_bodies->matter.updGround();
     if (part.ground) {
@@ -60,7 +54,6 @@ void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass
         const Transform X_PC = getMarkerPose(statement.cm);  // P: the BCS
         const Real reach = calcReach(statement);
         if (reach > 0) part.size = reach;
-        part.exact = statement.exact;
         const Body::Rigid rigid = makeBody(statement, X_PC, part.size, lightestMass);
         MobilizedBody::Free body(ground, rigid);
         part.body = body;
@@ -68,12 +61,21 @@ void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass
         body.setDefaultTransform(part.calcGivenBodyPose());
         part.cm = Marker(body, Transform(X_PC.R()));
     }
+    m_mechanism.m_parts.push_back(part);
+}
+
+void MechanismBuilder::setRigidCoordinates(const RigidCoordinates& statement, const SourcePosition& where,
+                                           MechanismPart& part) {
+    const UnitSystem& units = m_mechanism.m_units;
+    std::string problem;
+    part.givenPose =
+        makeFrame({statement.qg, statement.reuler, statement.zg, statement.xg, false}, units.length, problem);
+    if (!problem.empty()) report(Severity::Error, where, fmt::format("{}: {}", part.name, problem));
+    if (!part.ground) part.exact = statement.exact;
     for (int k = 0; k < 3; ++k) {
         if (statement.v[k]) part.v[k] = *statement.v[k] * units.getVelocity();
         if (statement.w[k]) part.w[k] = *statement.w[k] * units.getAngularVelocity();
     }
-    m_partIndex[part.id] = int(m_mechanism.m_parts.size());
-    m_mechanism.m_parts.push_back(part);
 }
 
 void MechanismBuilder::checkGround(const PartStatement& s) {

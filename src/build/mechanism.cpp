@@ -13,6 +13,21 @@ using SimTK::State;
 
 Mechanism::Mechanism() : m_bodies(std::make_unique<Bodies>()) {}
 
+bool Mechanism::isConservative() const {
+    for (const MechanismPart& part : m_parts)
+        if (part.flexible)
+            for (const Real ratio : part.flexible->getDampingRatios())
+                if (ratio > 0) return false;
+    return true;
+}
+
+Real Mechanism::calcKineticEnergy(const State& state) const {
+    Real sum = getSystem().calcKineticEnergy(state);
+    for (const MechanismPart& part : m_parts)
+        if (part.flexible) sum += part.flexible->calcCouplingEnergy(state);
+    return sum;
+}
+
 const Marker& Mechanism::getMarker(int id) const {
     const auto found = m_markers.find(id);
     if (found == m_markers.end())

@@ -12,8 +12,8 @@
 
 namespace jprim {
 
-/// One pass over the dataset in the order in which things need each other: units, gravity, marker poses,
-/// parts, markers, joints, requests.
+/// One pass over the dataset in the order in which things need each other: units, modes, marker poses,
+/// gravity, parts, markers, joints, requests.
 class MechanismBuilder {
 public:
     MechanismBuilder(const Dataset& dataset, Diagnostics& diagnostics)
@@ -21,16 +21,15 @@ public:
 
     std::optional<Mechanism> build() {
         m_mechanism.m_title = m_dataset.title;
-        for (const FlexBodyStatement& body : m_dataset.flexBodies)
-            report(Severity::Error, body.where,
-                   "FLEX_BODY/" + std::to_string(body.id) +
-                       " is read but cannot be simulated from a dataset yet; use jprim::FlexibleBody in C++");
-        if (m_failed) return std::nullopt;
         chooseUnits();
+        indexParts();
+        loadModes();
+        if (m_failed) return std::nullopt;
         findMarkerPoses();
         chooseLengthUnit();
         addGravity();
         addParts();
+        addFlexBodies();
         if (m_failed) return std::nullopt;
         addMarkers();
         checkAxes();
@@ -48,15 +47,23 @@ private:
 
     void chooseUnits();
     void applyUcf(const UnitsStatement& statement);
+    void indexParts();
+    void loadModes();
     void findMarkerPoses();
+    std::optional<Triple> findOrigin(const MarkerStatement& marker);
     void chooseLengthUnit();
     void addGravity();
     void addParts();
     void addPart(const PartStatement& statement, SimTK::Real lightestMass);
+    void addFlexBodies();
+    void addFlexBody(const FlexBodyStatement& statement);
+    void setRigidCoordinates(const RigidCoordinates& statement, const SourcePosition& where,
+                             MechanismPart& part);
     void checkGround(const PartStatement& statement);
     SimTK::Body::Rigid makeBody(const PartStatement& statement, const SimTK::Transform& X_PC,
                                 SimTK::Real size, SimTK::Real lightestMass);
     void addMarkers();
+    Marker makeMarker(const MarkerStatement& statement) const;
     void checkAxes();
     void addConnections();
     void addRequests();
@@ -71,10 +78,12 @@ private:
     Diagnostics& m_diagnostics;
     bool m_failed = false;
     Mechanism m_mechanism;
-    std::unordered_map<int, SimTK::Transform> m_markerPoses;  // in the part's BCS
-    std::unordered_map<int, int> m_partOfMarker;
-    std::unordered_map<int, std::vector<int>> m_markersOfPart;
-    std::unordered_map<int, int> m_partIndex;
+    std::unordered_map<int, SimTK::Transform> m_markerPoses;  // in the part's BCS, undeformed
+    // Parts are known by their place in Mechanism::getParts(), also before they are there.
+    std::unordered_map<int, int> m_partIndex, m_flexBodyIndex;
+    std::unordered_map<int, int> m_ownerOfMarker;
+    std::unordered_map<int, std::vector<int>> m_markersOfOwner;
+    std::unordered_map<int, ModalBasis> m_modes;  // by FLEX_BODY; in SI until it is added
 };
 
 }  // namespace jprim

@@ -37,7 +37,7 @@ constexpr Real ProjectionTolerance = 1e-11;
 class ExactCoordinates : public AssemblyCondition {
 public:
     explicit ExactCoordinates(const MechanismPart& part)
-        : AssemblyCondition(fmt::format("PART/{} EXACT", part.id)), m_part(part) {}
+        : AssemblyCondition(part.name + " EXACT"), m_part(part) {}
 
     int calcErrors(const State& state, Vector& errors) const override {
         const Transform X_GP = m_part.bcs.findPoseInGround(state);
@@ -76,12 +76,13 @@ std::string nameExactParts(const Mechanism& mechanism) {
     std::string names;
     for (const MechanismPart& part : mechanism.getParts()) {
         const bool isExact = std::find(part.exact.begin(), part.exact.end(), true) != part.exact.end();
-        if (isExact) names += fmt::format("{}PART/{}", names.empty() ? "" : ", ", part.id);
+        if (isExact) names += (names.empty() ? "" : ", ") + part.name;
     }
     return names;
 }
 
 enum class Exactness { Required, Wanted };
+enum class Bodies { Rigid, Flexible };
 
 // Required, EXACT is a condition like a constraint's. Some of these may repeat what constraints already
 // demand, as in a plane mechanism, and Simbody's optimizer takes no more equations than unknowns: then EXACT
@@ -127,10 +128,23 @@ void stayCloseToGivenPoses(const Mechanism& mechanism, const State& state, Assem
     markers->moveAllObservations(targets);
 }
 
+void lockModes(const Mechanism& mechanism, Assembler& assembler) {
+    for (const MechanismPart& part : mechanism.getParts())
+        if (part.flexible)
+            for (const SimTK::MobilizedBodyIndex carrier : part.flexible->getCarriers())
+                assembler.lockMobilizer(carrier);
+}
+
+bool hasFlexibleBodies(const Mechanism& mechanism) {
+    const auto& parts = mechanism.getParts();
+    return std::any_of(parts.begin(), parts.end(), [](const MechanismPart& p) { return bool(p.flexible); });
+}
+
 // True if it succeeded; the state is as near as it came.
-bool tryToAssemble(const Mechanism& mechanism, Exactness exactness, State& state) {
+bool tryToAssemble(const Mechanism& mechanism, Bodies bodies, Exactness exactness, State& state) {
     Assembler assembler(mechanism.getSystem());
     assembler.setErrorTolerance(AssemblyTolerance);
+    if (bodies == Bodies::Rigid) lockModes(mechanism, assembler);
     holdExactCoordinates(mechanism, exactness, assembler);
     stayCloseToGivenPoses(mechanism, state, assembler);
     bool succeeded = true;
@@ -144,13 +158,21 @@ bool tryToAssemble(const Mechanism& mechanism, Exactness exactness, State& state
     return succeeded && keepsExactCoordinates(mechanism, state);
 }
 
+bool tryToAssemble(const Mechanism& mechanism, Bodies bodies, bool hasExact, State& state) {
+    const State given = state;
+    if (tryToAssemble(mechanism, bodies, Exactness::Required, state)) return true;
+    if (!hasExact) return false;
+    state = given;
+    return tryToAssemble(mechanism, bodies, Exactness::Wanted, state);
+}
+
 void assemblePositions(const Mechanism& mechanism, State& state) {
     const State given = state;
-    if (tryToAssemble(mechanism, Exactness::Required, state)) return;
     const std::string exact = nameExactParts(mechanism);
-    if (!exact.empty()) {
+    if (tryToAssemble(mechanism, Bodies::Rigid, !exact.empty(), state)) return;
+    if (hasFlexibleBodies(mechanism)) {
         state = given;
-        if (tryToAssemble(mechanism, Exactness::Wanted, state)) return;
+        if (tryToAssemble(mechanism, Bodies::Flexible, !exact.empty(), state)) return;
     }
     const Violation left = calcViolation(mechanism, state);
     throw Error(
@@ -171,7 +193,7 @@ std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& s
         const Rotation turn = ~given.R() * X_GB.R();
         const Real angle = std::abs(turn.convertRotationToAngleAxis()[0]);
         if (distance > AssemblyTolerance || angle > AssemblyTolerance)
-            moved.push_back({part.id, distance, angle});
+            moved.push_back({part.name, distance, angle});
     }
     return moved;
 }

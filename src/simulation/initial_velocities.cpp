@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Speeds u with G u = 0 that minimize first |C u - c|, then |u|, where the rows of C pick the given
 // components c. Every part is a free body with u = [w_GB, v_GC]: its angular velocity and the velocity of its
-// mass centre, both in Ground. To compare the two, angular velocities are multiplied by the part's size.
+// mass centre, both in Ground. To compare the two, angular velocities are multiplied by the part's size. Speeds
+// of modes have zeros in S: they are at rest.
 //
 //     u = S y,  Z spans the null space of G S,  y = Z x,  x = least-norm least-squares of (C S Z) x = c
 #include "simulation/initial_velocities.h"
@@ -31,7 +32,7 @@ struct GivenVelocities {
 
 GivenVelocities collect(const Mechanism& mechanism, const State& state) {
     GivenVelocities given;
-    given.scale = Eigen::VectorXd::Ones(state.getNU());
+    given.scale = Eigen::VectorXd::Zero(state.getNU());
     std::vector<Eigen::VectorXd> rows;
     std::vector<Real> values;
     const auto add = [&](const std::optional<Real>& value, const Vec3& direction, int firstU, Real weight) {
@@ -44,7 +45,8 @@ GivenVelocities collect(const Mechanism& mechanism, const State& state) {
     for (const MechanismPart& part : mechanism.getParts()) {
         if (part.ground) continue;
         const int firstU = part.body.getFirstUIndex(state);
-        for (int k = 0; k < 3; ++k) given.scale[firstU + k] = 1 / part.size;
+        given.scale.segment<3>(firstU).setConstant(1 / part.size);
+        given.scale.segment<3>(firstU + 3).setOnes();
         const SimTK::Rotation R_GV = part.vm.findPoseInGround(state).R();
         const SimTK::Rotation R_GW = part.wm.findPoseInGround(state).R();
         for (int k = 0; k < 3; ++k) {
@@ -82,8 +84,9 @@ Vector calcInitialVelocities(const Mechanism& mechanism, const State& state) {
             Eigen::Map<const Eigen::MatrixXd>(&G(0, 0), G.nrow(), G.ncol()) * given.scale.asDiagonal();
         if ((GS * y).norm() > Admissible * y.norm()) {
             const Eigen::MatrixXd Z = calcNullSpace(GS);
-            if (Z.cols() == 0) return result;
-            y = Z * Eigen::MatrixXd(CS * Z).completeOrthogonalDecomposition().solve(given.c);
+            const Eigen::MatrixXd CSZ = CS * Z;
+            if (Z.cols() == 0 || CSZ.norm() < RankTolerance) return result;
+            y = Z * CSZ.completeOrthogonalDecomposition().solve(given.c);
         }
     }
     for (int i = 0; i < result.size(); ++i) result[i] = given.scale[i] * y[i];

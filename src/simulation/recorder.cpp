@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "jprim/marker/angles.h"
 
 namespace jprim {
@@ -40,8 +43,11 @@ Recorder::Recorder(const Mechanism& mechanism) : m_mechanism(mechanism) {
         addGroup(*table, "", {{"time", second}}, [](const State& s, double* out) { *out = s.getTime(); });
     for (const MechanismRequest& request : m_mechanism.getRequests()) addRequest(request);
     for (const Connection& connection : m_mechanism.getConnections()) addConnection(connection);
-    for (const MechanismPart& part : m_mechanism.getParts())
-        if (!part.ground) addPart(part);
+    for (const MechanismPart& part : m_mechanism.getParts()) {
+        if (part.ground) continue;
+        addPart(part);
+        addModes(part);
+    }
     addEnergy();
 }
 
@@ -137,7 +143,7 @@ void Recorder::addConnection(const Connection& connection) {
 void Recorder::addPart(const MechanismPart& part) {
     const UnitSystem& u = m_mechanism.getUnits();
     const double L = u.length, V = u.getVelocity(), W = u.getAngularVelocity();
-    addGroup(m_results.parts, fmt::format("PART/{}.", part.id),
+    addGroup(m_results.parts, part.name + ".",
              {{"X", L},
               {"Y", L},
               {"Z", L},
@@ -161,12 +167,24 @@ void Recorder::addPart(const MechanismPart& part) {
              });
 }
 
+void Recorder::addModes(const MechanismPart& part) {
+    if (!part.flexible) return;
+    const UnitSystem& u = m_mechanism.getUnits();
+    std::vector<Column> columns;
+    for (int k = 1; k <= part.flexible->getNumModes(); ++k)
+        columns.push_back({fmt::format("Q{}", k), std::sqrt(u.mass) * u.length});
+    addGroup(m_results.parts, part.name + ".", columns, [body = *part.flexible](const State& s, double* out) {
+        const SimTK::Vector q = body.getModalCoordinates(s);
+        std::copy(&q[0], &q[0] + q.size(), out);
+    });
+}
+
 void Recorder::addEnergy() {
     const double E = m_mechanism.getUnits().getEnergy();
     addGroup(m_results.parts, "energy.", {{"kinetic", E}, {"potential", E}, {"total", E}},
-             [&system = m_mechanism.getSystem()](const State& s, double* out) {
-                 out[0] = system.calcKineticEnergy(s);
-                 out[1] = system.calcPotentialEnergy(s);
+             [&mechanism = m_mechanism](const State& s, double* out) {
+                 out[0] = mechanism.calcKineticEnergy(s);
+                 out[1] = mechanism.getSystem().calcPotentialEnergy(s);
                  out[2] = out[0] + out[1];
              });
 }

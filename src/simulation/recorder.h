@@ -3,6 +3,7 @@
 #define JPRIM_SRC_SIMULATION_RECORDER_H_
 
 #include <functional>
+#include <string>
 
 #include "jprim/build/mechanism.h"
 #include "jprim/simulation/results.h"
@@ -29,7 +30,7 @@ private:
     };
 
     struct Column {
-        const char* name;
+        std::string name;
         double unitInSI;
     };
 
@@ -38,6 +39,7 @@ private:
     void addRequest(const MechanismRequest& request);
     void addConnection(const Connection& connection);
     void addPart(const MechanismPart& part);
+    void addModes(const MechanismPart& part);
     void addEnergy();
 
     const Mechanism& m_mechanism;

@@ -74,7 +74,7 @@ public:
         worst.length = std::max(worst.length, now.length);
         worst.angle = std::max(worst.angle, now.angle);
 
-        const Real kinetic = m_mechanism.getSystem().calcKineticEnergy(state);
+        const Real kinetic = m_mechanism.calcKineticEnergy(state);
         const Real energy = kinetic + m_mechanism.getSystem().calcPotentialEnergy(state);
         if (m_first) {
             m_summary.energyAtStart = energy;

@@ -28,6 +28,7 @@ void printText(const CheckReport& r) {
     const Dataset& d = r.model.dataset;
     fmt::print("statements              {} built, {} ignored by rule\n", d.counts.built, d.counts.ignored);
     fmt::print("parts                   {} (ground included)\n", d.parts.size());
+    if (!d.flexBodies.empty()) fmt::print("flexible bodies         {}\n", d.flexBodies.size());
     fmt::print("markers                 {}\n", d.markers.size());
     fmt::print("JPRIM                   {}\n", d.jprims.size());
     fmt::print("JOINT                   {}\n", d.joints.size());
@@ -38,7 +39,7 @@ void printText(const CheckReport& r) {
     printViolation("given", r.assembled.before);
     printViolation("after", r.assembled.after);
     for (const MovedPart& part : r.assembled.moved)
-        fmt::print("moved by assembly       PART/{} by {:.3g} {} and {:.3g} rad\n", part.id,
+        fmt::print("moved by assembly       {} by {:.3g} {} and {:.3g} rad\n", part.part,
                    part.distance / units.length, length, part.angle);
 }
 
@@ -51,13 +52,14 @@ void printJson(const CheckReport& r) {
     nlohmann::ordered_json moved = nlohmann::ordered_json::array();
     for (const MovedPart& part : r.assembled.moved)
         moved.push_back(
-            {{"part", part.id}, {"distance", part.distance / units.length}, {"angle", part.angle}});
+            {{"part", part.part}, {"distance", part.distance / units.length}, {"angle", part.angle}});
     const Dataset& d = r.model.dataset;
     const nlohmann::ordered_json json = {
         {"usable", true},
         {"statements",
          {{"built", d.counts.built}, {"ignored", d.counts.ignored}, {"errors", d.counts.errors}}},
         {"parts", d.parts.size()},
+        {"flexible_bodies", d.flexBodies.size()},
         {"markers", d.markers.size()},
         {"jprims", d.jprims.size()},
         {"joints", d.joints.size()},

@@ -40,9 +40,11 @@ std::optional<int> chooseSteps(const RunArguments& arguments) {
     return int(steps);
 }
 
-// All elements so far are conservative, so a changed energy is an error of the integration.
-void warnOfEnergyError(const RunArguments& arguments, const SimulationSummary& summary) {
+// Without damping a changed energy is an error of the integration.
+void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism,
+                       const SimulationSummary& summary) {
     constexpr double Tolerable = 1e-3;
+    if (!mechanism.isConservative()) return;
     if (summary.largestEnergyChange <= Tolerable * summary.energyScale) return;
     const std::string message = fmt::format(
         "the energy of this conservative mechanism changed by {:.2g} of the range of its kinetic energy; "
@@ -91,7 +93,7 @@ ExitCode run(const RunArguments& arguments) {
     if (!arguments.quiet && !arguments.out.empty())
         fmt::print("results                  requests.csv, reactions.csv and parts.csv in {}\n",
                    arguments.out);
-    warnOfEnergyError(arguments, outcome.summary);
+    warnOfEnergyError(arguments, *model.mechanism, outcome.summary);
     return outcome.failure.empty() ? Done : SimulationFailed;
 }
 

@@ -62,8 +62,8 @@ TEST(Assemble, MovesAsLittleAsNeeded) {
     ASSERT_EQ(assembled.moved.size(), 2u);
     // The gap is 0.117 long; nothing need move further than that.
     for (const MovedPart& part : assembled.moved) {
-        EXPECT_LT(part.distance, 0.12) << part.id;
-        EXPECT_LT(part.angle, 0.12) << part.id;
+        EXPECT_LT(part.distance, 0.12) << part.part;
+        EXPECT_LT(part.angle, 0.12) << part.part;
     }
 }
 
@@ -84,7 +84,7 @@ TEST(Assemble, APartThatIsAllExactDoesNotMoveAtAll) {
     const Mechanism other = buildOrFail(makeTwoRods(", EXACT=X:Y:Z:PSI:THETA:PHI", ""));
     const AssembledState assembled = assemble(other);
     ASSERT_EQ(assembled.moved.size(), 1u);
-    EXPECT_EQ(assembled.moved[0].id, 3);
+    EXPECT_EQ(assembled.moved[0].part, "PART/3");
 }
 
 // A crank in the plane, its hinge 0.2 out of place: translation alone mends it, whatever angle is held.

@@ -9,7 +9,8 @@
 
 namespace jprim {
 
-/// Makes a Simbody system of a dataset: every part a free body, every JPRIM and JOINT a set of primitives.
+/// Makes a Simbody system of a dataset: every part a free body, rigid or flexible, every JPRIM and JOINT a set
+/// of primitives.
 /// Everything is converted to the mechanism's units on the way.
 ///
 /// Simbody cannot solve for a body without inertia. A part without mass gets MasslessFraction of the lightest
@@ -19,7 +20,8 @@ namespace jprim {
 ///
 /// Errors, at the statement: a marker's or part's axes that its points do not define; a MASS or IP that no
 /// body can have; I and J axes of a PARALLEL_AXES, ORIENTATION, REVOLUTE, CYLINDRICAL, TRANSLATIONAL, PLANAR
-/// or FIXED more than 90 degrees apart; bars of a PERPENDICULAR, UNIVERSAL or HOOKE that are parallel.
+/// or FIXED more than 90 degrees apart; bars of a PERPENDICULAR, UNIVERSAL or HOOKE that are parallel; a
+/// MODES_FILE that cannot be read, a NODE_ID that is not in it.
 ///
 /// @param      dataset      as read without errors
 /// @param[out] diagnostics  findings are appended

@@ -11,6 +11,7 @@
 
 #include "jprim/base/units.h"
 #include "jprim/dataset/dataset.h"
+#include "jprim/flexible/flexible_body.h"
 #include "jprim/joint/joint.h"
 #include "jprim/marker/marker.h"
 
@@ -20,15 +21,16 @@
 /// Mechanism::getLengthUnit().
 namespace jprim {
 
-/// A PART. Its body's frame has its origin at the mass centre and the axes of the part's body coordinate
-/// system (BCS).
+/// A PART or FLEX_BODY. Its body's frame has its origin at the mass centre and the axes of the part's body
+/// coordinate system (BCS), which for a FLEX_BODY are the mean axes of the deformation.
 struct MechanismPart {
-    int id = 0;
+    std::string name;  ///< "PART/3", "FLEX_BODY/3"
     SimTK::MobilizedBody body;
     bool ground = false;
+    std::optional<FlexibleBody> flexible;  ///< of a FLEX_BODY
     /// The part's body coordinate system.
     Marker bcs;
-    /// The CM marker; on ground or where no CM is given, the BCS.
+    /// The CM marker; on ground the BCS, on a FLEX_BODY the mass centre with the axes of the BCS.
     Marker cm;
     /// The given pose of the BCS in ground, and which of its coordinates assembly must not move; none of
     /// ground's.
@@ -38,7 +40,7 @@ struct MechanismPart {
     /// velocity about the axes of wm [rad/s]; empty components are free.
     std::array<std::optional<SimTK::Real>, 3> v, w;
     Marker vm, wm;
-    /// Largest distance of a marker from the mass centre [length unit]: what turns an angle into a
+    /// Largest distance of a marker or node from the mass centre [length unit]: what turns an angle into a
     /// displacement.
     SimTK::Real size = 1;
 
@@ -79,10 +81,15 @@ public:
     const SimTK::MultibodySystem& getSystem() const { return m_bodies->system; }
     const SimTK::SimbodyMatterSubsystem& getMatter() const { return m_bodies->matter; }
 
-    /// In the order of the dataset, ground included.
+    /// In the order of the dataset, ground included; flexible bodies last.
     const std::vector<MechanismPart>& getParts() const { return m_parts; }
     const std::vector<Connection>& getConnections() const { return m_connections; }
     const std::vector<MechanismRequest>& getRequests() const { return m_requests; }
+
+    /// False if something takes energy out: the damping of a flexible body.
+    bool isConservative() const;
+    /// Kinetic energy: Simbody's, and what the deformation of flexible bodies adds. Requires Stage::Velocity.
+    SimTK::Real calcKineticEnergy(const SimTK::State& state) const;
 
     /// The marker with this id; 0 is ground's own frame. @throws Error if there is none
     const Marker& getMarker(int id) const;

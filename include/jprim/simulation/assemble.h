@@ -19,7 +19,7 @@ struct Violation {
 
 /// A part that assembly moved away from its given pose.
 struct MovedPart {
-    int id = 0;
+    std::string part;          ///< "PART/3"
     SimTK::Real distance = 0;  ///< of the mass centre
     SimTK::Real angle = 0;     ///< [rad]
 };
@@ -38,10 +38,11 @@ Violation calcViolation(const Mechanism& mechanism, const SimTK::State& state);
 /// Finds initial conditions as Adams does.
 ///
 /// Positions: the given ones, if they satisfy the constraints to within AssemblyTolerance; otherwise those
-/// that Simbody's Assembler finds closest to them, with the coordinates named by EXACT held.
+/// that Simbody's Assembler finds closest to them, with the coordinates named by EXACT held. Flexible bodies
+/// stay undeformed if the constraints can be met that way.
 /// Velocities: the given components are kept where the constraints allow, otherwise met as nearly as can be
 /// in the sense of least squares; of all such velocities the smallest, so that what was not given and is not
-/// driven by what was stays at rest. Angular velocities count by the part's size.
+/// driven by what was stays at rest. Angular velocities count by the part's size. Modes start at rest.
 ///
 /// @throws Error naming the element that stays violated, if the constraints cannot be met
 AssembledState assemble(const Mechanism& mechanism);

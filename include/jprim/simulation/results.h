@@ -25,7 +25,8 @@ struct Table {
 /// - reactions, after `JPRIM/<id>.I.` and `.J.` and likewise JOINT: FX FY FZ TX TY TZ, Ground axes, at the
 ///   marker
 /// - parts, after `PART/<id>.`: X Y Z of the mass centre, E0 E1 E2 E3 of the CM marker, VX VY VZ WX WY WZ in
-///   Ground; after `energy.`: kinetic potential total
+///   Ground; likewise after `FLEX_BODY/<id>.`, and the modal coordinates Q1 Q2 …; after `energy.`: kinetic
+///   potential total
 struct Results {
     Table requests;
     Table reactions;
