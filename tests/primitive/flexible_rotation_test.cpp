@@ -58,6 +58,32 @@ TEST(FlexibleRotation, StretchesATurningBar) {
     EXPECT_NEAR(tip / extension, 1, Tolerance);
 }
 
+// Held at a hub that turns at W, and damped until nothing moves in turning axes: the tip is out by
+// rho W^2 L^3/(3 E), and the hub holds the bar with m W^2 L/2.
+TEST(FlexibleRotation, StretchesABarOnAHub) {
+    constexpr Real Tolerance = 5e-3, W = 0.5;
+    FlexibleSystem s;
+    const UniformBeam b = makeSoftBeam();
+    const ModalBasis basis = reduceToModes(makeFiniteElementModel(b), {{{1}, 0, {}}}, 40);
+    const FlexibleBody beam(s.matter, s.forces, basis,
+                            {InertiaCoupling::Partial, std::vector<Real>(size_t(basis.getNumModes()), 1.)});
+    SimTK::MobilizedBody::Pin hub(s.matter.Ground(), SimTK::Transform(),
+                                  SimTK::Body::Rigid(SimTK::MassProperties(1, Vec3(0), SimTK::Inertia(1))),
+                                  SimTK::Transform());
+    SimTK::Motion::Steady(hub, W);
+    const Joint clamp = Joint::Fixed(Marker(beam, 1), Marker(hub));
+    State state = s.system.realizeTopology();
+    beam.getBody().setU(state, Vec6(0, 0, W, 0, 0, 0));
+    hub.setOneU(state, 0, W);
+    const State end = integrate(s, state, 2, 1e-6, [](const State&) {});
+    const Real L = b.length;
+    const Real extension = b.density * W * W * L * L * L / (3 * b.youngsModulus);
+    const Real tip = Marker(beam, Elements + 1).findPoseInGround(end).p().norm() - L;
+    EXPECT_NEAR(tip / extension, 1, Tolerance);
+    const Real force = clamp.calcReactionOnI(end)[1].norm();
+    EXPECT_NEAR(force / (b.density * b.area * L * W * W * L / 2), 1, Tolerance);
+}
+
 //------------------------------------------------------------------------------------ pair of modes
 // Spinning about its axis at W, a beam with equal bending modes q1, q2 has, in axes that turn with it,
 // q1" - 2 W q2' + w^2 q1 = 0 and its mirror image: two frequencies that differ by 2 W.
