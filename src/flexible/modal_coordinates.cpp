@@ -17,8 +17,8 @@ using SimTK::Vec3;
 namespace {
 
 constexpr int MostModesOfACarrier = 3;
-constexpr Real Spin = 134217728;                            // 2^27
-constexpr Real MassOfACarrier = 1. / (Spin * Spin * Spin);  // 2^-81, of a unit of mass
+constexpr Real Spin = 1099511627776;                        // 2^40
+constexpr Real MassOfACarrier = 1. / (Spin * Spin * Spin);  // 2^-120, of a unit of mass
 
 class Carrier : public MobilizedBody::Custom::Implementation {
 public:
