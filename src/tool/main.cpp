@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "jprim/base/units.h"
 #include "jprim/simulation/simulate.h"
 #include "jprim/version.h"
 #include "tool/commands.h"
@@ -19,6 +20,14 @@ CLI::Validator makeRange(double above, double upTo, const std::string& meaning) 
             double value = 0;
             const bool good = CLI::detail::lexical_cast(text, value) && value > above && value <= upTo;
             return good ? std::string() : text + " is not " + meaning;
+        },
+        "", "");
+}
+
+CLI::Validator makeUnitCheck(jprim::Quantity quantity) {
+    return CLI::Validator(
+        [=](const std::string& text) {
+            return jprim::findUnit(quantity, text) ? std::string() : text + " is not a unit that UNITS knows";
         },
         "", "");
 }
@@ -56,7 +65,19 @@ void addReduceOptions(CLI::App& command, ReduceArguments& arguments) {
         .add_option("MESH", arguments.mesh,
                     "CalculiX input (.inp) with its .sti, .mas and .dof files beside it")
         ->required();
-    command.add_option("--interface", arguments.interfaces, "Set of nodes that moves as one rigid point");
+    command
+        .add_option("--abaqus", arguments.matrices,
+                    "Stiffness and mass matrix of Abaqus; MESH is then Abaqus' input")
+        ->expected(2);
+    command.add_option("--interface", arguments.interfaces, "Set of nodes that moves as one rigid point")
+        ->allow_extra_args(false);
+    command.add_option("--length", arguments.lengthUnit, "The mesh's unit of length, as in UNITS")
+        ->check(makeUnitCheck(jprim::Quantity::Length))
+        ->capture_default_str();
+    command
+        .add_option("--mass", arguments.massUnit, "The mesh's unit of mass, as in UNITS; time is in seconds")
+        ->check(makeUnitCheck(jprim::Quantity::Mass))
+        ->capture_default_str();
     command.add_option("--modes", arguments.modes, "Number of modes with all interfaces held")
         ->required()
         ->check(CLI::NonNegativeNumber);

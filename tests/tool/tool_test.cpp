@@ -13,69 +13,14 @@
 #include <string>
 #include <vector>
 
+#include "tool/tool_fixture.h"
+
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-    int exitCode = -1;
-    std::string out;
-    std::string err;
-};
-
-std::string readFile(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-class Tool : public ::testing::Test {
-protected:
-    Tool() : m_folder(fs::temp_directory_path() / ("jprim_tool_test_" + std::to_string(getpid()))) {
-        fs::create_directories(m_folder);
-    }
-    ~Tool() override { fs::remove_all(m_folder); }
-
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(m_folder / name) << text;
-        return (m_folder / name).string();
-    }
-
-    // Runs `jprim arguments…` with both outputs in files.
-    Outcome run(const std::string& arguments) const {
-        Outcome result;
-        const std::string out = (m_folder / "out").string(), err = (m_folder / "err").string();
-        const int status =
-            std::system((std::string(JPRIM_TOOL) + " " + arguments + " >" + out + " 2>" + err).c_str());
-        result.exitCode = WEXITSTATUS(status);
-        result.out = readFile(out);
-        result.err = readFile(err);
-        return result;
-    }
-
-    // The same on a terminal; what the terminal shows.
-    static std::string runOnTerminal(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), JPRIM_TOOL);
-        std::vector<char*> argv;
-        for (std::string& argument : arguments) argv.push_back(argument.data());
-        argv.push_back(nullptr);
-        int terminal = -1;
-        const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
-        if (child == 0) {
-            execv(argv[0], argv.data());
-            _exit(127);
-        }
-        std::string shown;
-        char buffer[4096];
-        for (ssize_t n = 0; (n = read(terminal, buffer, sizeof buffer)) > 0;) shown.append(buffer, size_t(n));
-        close(terminal);
-        waitpid(child, nullptr, 0);
-        return shown;
-    }
-
-    fs::path m_folder;
-};
+using jprim::testing::Outcome;
+using jprim::testing::readFile;
+using jprim::testing::Tool;
 
 const std::string Pendulum =
     "pendulum\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\nACCGRAV/KGRAV=-9806.65\n"
@@ -270,27 +215,6 @@ TEST_F(Tool, CheckCountsRedundantEquations) {
     EXPECT_EQ(json["gruebler_count"], -4);
     EXPECT_EQ(json["degrees_of_freedom"], 1);
     EXPECT_EQ(json["redundant_equations"], 5);
-}
-
-//------------------------------------------------------------------------------------------- reduce
-const std::string Block = std::string(JPRIM_SOURCE_DIR) + "/tests/data/mesh/block.inp";
-
-TEST_F(Tool, ReduceWritesModesAndSaysWhatTheyAre) {
-    const fs::path file = m_folder / "block.modes";
-    const Outcome result = run("reduce " + Block + " --interface LEFT --modes 4 -o " + file.string());
-    EXPECT_EQ(result.exitCode, 0) << result.err;
-    EXPECT_NE(result.out.find("mass                     15700\n"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("interface LEFT           node "), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("mode 4 "), std::string::npos) << result.out;
-    EXPECT_EQ(readFile(file).rfind("jprim-modes 1\n", 0), 0u);
-}
-
-TEST_F(Tool, ReduceNamesASetThatDoesNotExist) {
-    const Outcome result =
-        run("reduce " + Block + " --interface QQQ --modes 4 -o " + (m_folder / "x").string());
-    EXPECT_EQ(result.exitCode, 3);
-    EXPECT_EQ(result.err.rfind("error: block.inp: there is no node set 'QQQ'; there are ", 0), 0u)
-        << result.err;
 }
 
 }  // namespace
