@@ -88,6 +88,18 @@ INSTANTIATE_TEST_SUITE_P(
                    m.mass.push_back({4, 4, -1000});
                },
                "beam: the mass matrix has -1e+03 on its diagonal in row 4"},
+        Damage{"IndefiniteStiffness",
+               [](FiniteElementModel& m) {
+                   m.stiffness.insert(m.stiffness.end(), {{0, 7, 1e9}, {7, 0, 1e9}});
+               },
+               "beam: the stiffness matrix is indefinite: 1e+09 in row 7, column 0 is more than its diagonal "
+               "allows, 2.14e+07"},
+        Damage{"IndefiniteMass",
+               [](FiniteElementModel& m) {
+                   m.mass.insert(m.mass.end(), {{1, 8, 50}, {8, 1, 50}});
+               },
+               "beam: the mass matrix is indefinite: 50 in row 8, column 1 is more than its diagonal "
+               "allows, 1.24"},
         Damage{"Held",
                [](FiniteElementModel& m) {
                    m.stiffness.push_back({1, 1, 1e8});
