@@ -9,6 +9,7 @@
 #include "build/connections.h"
 #include "build/frames.h"
 #include "build/mechanism_builder.h"
+#include "build/not_simulated.h"
 
 namespace jprim {
 
@@ -160,6 +161,7 @@ MechanismRequest MechanismBuilder::makeRequest(const RequestStatement& statement
 }
 
 std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics) {
+    if (!checkSimulated(dataset, diagnostics)) return std::nullopt;
     return MechanismBuilder(dataset, diagnostics).build();
 }
 

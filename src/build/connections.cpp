@@ -105,7 +105,7 @@ Joint makeConnection(JointType type, const Marker& I, const Marker& J, const std
         case JointType::Planar: return Joint::Planar(I, J, name);
         case JointType::Fixed: return Joint::Fixed(I, J, name);
         case JointType::Universal: return Joint::Universal(I, J, name);
-        case JointType::Hooke: break;
+        default: break;  // checkSimulated() has refused the others
     }
     return Joint::Hooke(I, J, name);
 }

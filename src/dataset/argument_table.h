@@ -95,6 +95,7 @@ struct ArgumentValue {
     int id = 0;
     unsigned words = 0;  ///< bit i: word i of the closed list was given
     std::string text;
+    ExpressionText expression;
 
     Triple getTriple() const { return {numbers[0], numbers[1], numbers[2]}; }
 };

@@ -165,10 +165,10 @@ bool StatementReader::readExpression(const ArgumentRule& rule, ArgumentValue& va
         m_comma = false;
         return false;
     }
-    value.text = collapseBlanks(m_text.substr(begin, end - begin));
+    value.expression = cutExpression(m_statement, begin, end);
     endExpression(end);
-    if (value.text.empty()) addError(m_given.back().second, describe(rule) + " is empty");
-    return !value.text.empty();
+    if (value.expression.text.empty()) addError(m_given.back().second, describe(rule) + " is empty");
+    return !value.expression.text.empty();
 }
 
 }  // namespace jprim

@@ -91,8 +91,8 @@ void understandFile(StatementReader& reader, F& arguments) {
 
 void understandRatio(StatementReader& reader, F& arguments) {
     const V& given = arguments.ratio;
-    if (given.text.empty()) return;  // not given, or already reported
-    const Number<double> ratio = parseReal(given.text, false);
+    if (given.expression.text.empty()) return;  // not given, or already reported
+    const Number<double> ratio = parseReal(given.expression.text, false);
     arguments.cratio = ratio.value;
     if (!ratio.fault.empty())
         reader.addError(given.offset, fmt::format("CRATIO of {}: {}; only a number is supported here",

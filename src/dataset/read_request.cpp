@@ -21,7 +21,7 @@ void setType(R& r, const V& v) {
 }
 
 void addExpression(R& r, const V& v) {
-    r.expressions.emplace_back(static_cast<int>(v.row - FirstExpressionRow) + 2, v.text);
+    r.expressions.emplace_back(static_cast<int>(v.row - FirstExpressionRow) + 2, v.expression);
 }
 
 constexpr ArgumentRule expression(std::string_view name) {
@@ -66,10 +66,6 @@ void checkForm(StatementReader& reader, const R& request) {
                                        reader.getName()));
     else if (hasType && request.i == 0)
         reader.addError(0, fmt::format("{} needs I: I=", reader.getName()));
-    if (hasExpressions && !reader.hasErrors())
-        reader.addWarning(0, fmt::format("{}: function expressions are not evaluated yet; this request "
-                                         "writes nothing",
-                                         reader.getName()));
 }
 
 }  // namespace

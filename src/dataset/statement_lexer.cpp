@@ -7,12 +7,30 @@
 
 namespace jprim {
 
-SourcePosition Statement::getPosition(std::size_t offset) const {
-    const auto after = std::upper_bound(segments.begin(), segments.end(), offset,
-                                        [](std::size_t o, const Segment& s) { return o < s.begin; });
-    if (after == segments.begin()) return {};
-    const Segment& segment = *(after - 1);
-    return {segment.where.line, segment.where.column + static_cast<int>(offset - segment.begin)};
+ExpressionText cutExpression(const Statement& statement, std::size_t begin, std::size_t end) {
+    ExpressionText cut;
+    std::size_t last = begin;
+    auto next = statement.segments.begin();
+    // A segment of the cut begins where one of the statement does, and where blanks were left out.
+    const auto append = [&](char c, std::size_t at) {
+        bool begins = cut.text.empty() || at != last + 1;
+        for (; next != statement.segments.end() && next->begin <= at; ++next) begins = true;
+        if (begins) cut.segments.push_back({cut.text.size(), statement.getPosition(at)});
+        cut.text += c;
+        last = at;
+    };
+    std::size_t gap = end;  // where the blanks before this character begin, if there are any
+    for (std::size_t at = begin; at < end; ++at) {
+        const char c = statement.text[at];
+        if (isBlank(c) || c == ContinuationComma) {
+            gap = std::min(gap, at);
+            continue;
+        }
+        if (gap < at && !cut.text.empty()) append(' ', gap);
+        gap = end;
+        append(c, at);
+    }
+    return cut;
 }
 
 bool isEnd(std::string_view text) {

@@ -3,11 +3,10 @@
 #define JPRIM_SRC_DATASET_STATEMENT_LEXER_H_
 
 #include <cstddef>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "jprim/base/diagnostic.h"
+#include "jprim/dataset/source_text.h"
 
 namespace jprim {
 
@@ -19,21 +18,11 @@ inline bool isComma(char c) {
     return c == ',' || c == ContinuationComma;
 }
 
-/// One statement on one line: comments and line breaks taken out, every character still knows where it
-/// stood in the file.
-struct Statement {
-    std::string text;
+/// One statement on one line: comments and line breaks taken out.
+using Statement = SourceText;
 
-    /// The position in the file of the character at this offset of `text`.
-    SourcePosition getPosition(std::size_t offset) const;
-
-    /// A stretch of `text` that came from one line of the file.
-    struct Segment {
-        std::size_t begin = 0;
-        SourcePosition where;
-    };
-    std::vector<Segment> segments;
-};
+/// The text from `begin` to `end` with every run of blanks and line marks as one space, and none at the ends.
+ExpressionText cutExpression(const Statement& statement, std::size_t begin, std::size_t end);
 
 /// True for the text of the statement that ends a dataset: END, alone or with a slash.
 bool isEnd(std::string_view text);

@@ -204,7 +204,7 @@ void write(StatementWriter& w, const RequestStatement& r) {
     w.add("COMMENT", r.comment);
     w.add("TITLE", r.title);
     for (const auto& [number, expression] : r.expressions)
-        w.addExpression(fmt::format("F{}", number), expression);
+        w.addExpression(fmt::format("F{}", number), expression.text);
     w.end();
 }
 

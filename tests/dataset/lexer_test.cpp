@@ -116,26 +116,50 @@ TEST(DatasetLexer, ExpressionsAreKeptAsText) {
         {"vector", "F2=[1,2,3]*[4,5,6]", "[1,2,3]*[4,5,6]"},
     };
     for (const ExpressionCase& c : cases) {
-        const Reading reading = readInModel(std::string("REQUEST/1, ") + c.text);
-        EXPECT_EQ(reading.findings,
-                  "3:1: warning: REQUEST/1: function expressions are not evaluated yet; this request writes "
-                  "nothing")
-            << c.name;
-        ASSERT_EQ(reading.dataset.requests.size(), 1u) << c.name;
-        EXPECT_EQ(reading.dataset.requests[0].expressions[0], std::make_pair(2, std::string(c.f2))) << c.name;
+        const Dataset dataset = readGood(std::string("REQUEST/1, ") + c.text);
+        ASSERT_EQ(dataset.requests.size(), 1u) << c.name;
+        EXPECT_EQ(dataset.requests[0].expressions[0].first, 2) << c.name;
+        EXPECT_EQ(dataset.requests[0].expressions[0].second.text, c.f2) << c.name;
     }
+}
+
+// Where the file says each character, whatever was left out before it.
+TEST(DatasetLexer, ExpressionsRememberTheirPlaces) {
+    const Dataset dataset = readGood(
+        "REQUEST/1, F2=DX(1,2)  *\t 3 ! comment\n"
+        "! comment, and a blank line\n\n"
+        "  , + MAX(DY(1), &\n"
+        "     DZ(2))\\  F3 =  7");
+    const ExpressionText& f2 = dataset.requests.at(0).expressions.at(0).second;
+    ASSERT_EQ(f2.text, "DX(1,2) * 3 + MAX(DY(1), DZ(2))");
+    const auto getPlace = [](const ExpressionText& e, std::size_t offset) {
+        const SourcePosition where = e.getPosition(offset);
+        return std::make_pair(where.line, where.column);
+    };
+    EXPECT_EQ(getPlace(f2, f2.text.find("DX")), std::make_pair(3, 15));
+    EXPECT_EQ(getPlace(f2, f2.text.find("2)")), std::make_pair(3, 20));
+    EXPECT_EQ(getPlace(f2, f2.text.find('*')), std::make_pair(3, 24));
+    EXPECT_EQ(getPlace(f2, f2.text.find('3')), std::make_pair(3, 27));
+    EXPECT_EQ(getPlace(f2, f2.text.find('+')), std::make_pair(6, 5));
+    EXPECT_EQ(getPlace(f2, f2.text.find("DY")), std::make_pair(6, 11));
+    EXPECT_EQ(getPlace(f2, f2.text.find("DZ") + 3), std::make_pair(7, 9));
+    EXPECT_EQ(getPlace(f2, f2.text.size()), std::make_pair(7, 12));
+    const ExpressionText& f3 = dataset.requests.at(0).expressions.at(1).second;
+    EXPECT_EQ(getPlace(f3, 0), std::make_pair(7, 21));
+    EXPECT_EQ(getPlace(ExpressionText{"TIME", {}}, 2), std::make_pair(0, 0));
 }
 
 TEST(DatasetLexer, ArgumentsAfterAnExpression) {
     const Dataset dataset =
-        readInModel("REQUEST/05, F2=JOINT(1,0,2,0)\\F3=DX(1)\n, +1\\\n, F8=JOINT(1,0,8,0),C=load: X (N)")
-            .dataset;
+        readGood("REQUEST/05, F2=JOINT(1,0,2,0)\\F3=DX(1)\n, +1\\\n, F8=JOINT(1,0,8,0),C=load: X (N)");
     ASSERT_EQ(dataset.requests.size(), 1u);
     const RequestStatement& request = dataset.requests[0];
     EXPECT_EQ(request.comment, "load: X (N)");
     ASSERT_EQ(request.expressions.size(), 3u);
-    EXPECT_EQ(request.expressions[1], std::make_pair(3, std::string("DX(1) +1")));
-    EXPECT_EQ(request.expressions[2], std::make_pair(8, std::string("JOINT(1,0,8,0)")));
+    EXPECT_EQ(request.expressions[1].first, 3);
+    EXPECT_EQ(request.expressions[1].second.text, "DX(1) +1");
+    EXPECT_EQ(request.expressions[2].first, 8);
+    EXPECT_EQ(request.expressions[2].second.text, "JOINT(1,0,8,0)");
 }
 
 TEST(DatasetLexer, NumbersInAllForms) {

@@ -114,7 +114,7 @@ TEST(DatasetWriter, LinesAreShorterThan80Columns) {
             "\nMARKER/3, QP=-1.2345678901234567E-100,-1.2345678901234567E-100,-1.2345678901234567E-100")
             .dataset;
     ASSERT_EQ(dataset.requests.size(), 1u);
-    EXPECT_EQ(dataset.requests[0].expressions[1].second, expression);
+    EXPECT_EQ(dataset.requests[0].expressions[1].second.text, expression);
     EXPECT_EQ(dataset.ignored[0].arguments, arguments);
     std::istringstream text(writeDataset(dataset));
     for (std::string line; std::getline(text, line);) EXPECT_LT(line.size(), 80u) << line;

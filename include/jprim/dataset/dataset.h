@@ -10,6 +10,9 @@
 
 #include "jprim/base/diagnostic.h"
 #include "jprim/base/units.h"
+#include "jprim/dataset/constraint_statements.h"
+#include "jprim/dataset/force_statements.h"
+#include "jprim/dataset/source_text.h"
 
 /// @file
 /// An Adams/Solver dataset (.adm) as plain values: what the file says, in the file's own units, nothing
@@ -17,8 +20,6 @@
 /// Angles are radians, whether written with the D suffix or not. Every statement knows where it began.
 /// Two statements compare equal when they say the same; `where` is not compared.
 namespace jprim {
-
-using Triple = std::array<double, 3>;
 
 /// UNITS: the names as understood, in full, and their factors to SI. Without a UNITS statement every
 /// factor is 1, which reads the numbers as SI.
@@ -75,15 +76,28 @@ struct FlexBodyStatement : RigidCoordinates {
     bool constantCoupling = false;  ///< INVARIANTS: inertia coupling Constant instead of Partial
 };
 
-/// MARKER: a frame fixed to a part or flexible body. Pose in the owner's BCS, before it deforms. After
-/// reading exactly one of `part` and `flexBody` is not 0: the nearest PART or FLEX_BODY before it is the
-/// default.
+/// POINT_MASS: a body with three freedoms, that never turns. A kind of its own beside PART, as FLEX_BODY is:
+/// its ids are its own (POINT_MASS/3 is not PART/3), and nothing that is said of parts (ground, inertia) can
+/// be said of it. Of its coordinates `w`, `vm` and `wm` are never given, of `exact` only X, Y and Z.
+struct PointMassStatement : RigidCoordinates {
+    SourcePosition where;
+    int id = 0;
+    std::optional<double> mass;
+    int cm = 0;  ///< marker at the mass
+};
+
+/// MARKER: a frame fixed to a body. Pose in the owner's BCS, before it deforms. After reading exactly one of
+/// `part`, `pointMass` and `flexBody` is not 0: the nearest of these statements before it is the default.
 struct MarkerStatement {
     SourcePosition where;
     int id = 0;
-    int part = 0;      ///< the owner if it is a PART
-    int flexBody = 0;  ///< the owner if it is a FLEX_BODY
-    int node = 0;      ///< NODE_ID, 0 if not given; without effect on a PART
+    int part = 0;       ///< the owner if it is a PART
+    int pointMass = 0;  ///< the owner if it is a POINT_MASS
+    int flexBody = 0;   ///< the owner if it is a FLEX_BODY
+    int node = 0;       ///< NODE_ID, 0 if not given; without effect on a PART
+    /// Where it is, is decided by the VFORCE, VTORQUE or GFORCE that names it as JFLOAT, the only statements
+    /// that may name it; then no member below is given.
+    bool floating = false;
     std::optional<Triple> qp;
     std::optional<Triple> reuler;
     std::optional<Triple> zp;
@@ -91,31 +105,9 @@ struct MarkerStatement {
     bool usexp = false;  ///< XP lies on the x axis and ZP in the xz plane, instead of the reverse
 };
 
-enum class JprimType { AtPoint, InLine, InPlane, Orientation, ParallelAxes, Perpendicular };
-
-/// JPRIM: a joint primitive between markers I and J of different parts.
-struct JprimStatement {
-    SourcePosition where;
-    int id = 0;
-    JprimType type = JprimType::AtPoint;
-    int i = 0;
-    int j = 0;
-};
-
-enum class JointType { Spherical, Revolute, Cylindrical, Translational, Planar, Fixed, Universal, Hooke };
-
-/// JOINT: a joint of the catalogue between markers I and J of different parts.
-struct JointStatement {
-    SourcePosition where;
-    int id = 0;
-    JointType type = JointType::Spherical;
-    int i = 0;
-    int j = 0;
-};
-
 enum class RequestType { Displacement, Velocity, Acceleration, Force, Expressions };
 
-/// REQUEST: what to write out. For Expressions the texts are kept as they stand, F2 … F8.
+/// REQUEST: what to write out. For Expressions the functions are kept unparsed, F2 … F8.
 struct RequestStatement {
     SourcePosition where;
     int id = 0;
@@ -125,21 +117,55 @@ struct RequestStatement {
     int rm = 0;  ///< ground axes if 0
     std::string comment;
     std::string title;
-    std::vector<std::pair<int, std::string>> expressions;  ///< (2, "JOINT(1,0,2,0)") for F2=JOINT(1,0,2,0)
+    std::vector<std::pair<int, ExpressionText>> expressions;  ///< (2, "DX(1,2)") for F2=DX(1,2)
 };
 
-/// GRAPHICS, OUTPUT and RESULTS change no motion: read, kept as text, otherwise ignored.
+/// VARIABLE: a value that expressions read as VARVAL(id). It may depend on other variables, and on itself.
+struct VariableStatement {
+    SourcePosition where;
+    int id = 0;
+    ExpressionText function;
+    std::optional<double> ic;  ///< a first guess of the value at the start
+};
+
+/// SPLINE: the table behind AKISPL(x, z, id) and CUBSPL(x, z, id).
+struct SplineStatement {
+    SourcePosition where;
+    int id = 0;
+    std::vector<double> x;  ///< strictly increasing, at least 4
+    /// (z, y at each x), z strictly increasing. One curve with z = 0 if y depends on x only.
+    std::vector<std::pair<double, std::vector<double>>> curves;
+    bool linearExtrapolate = false;  ///< LINEAR_EXTRAPOLATE: go on along the end tangents
+};
+
+enum class SensorComparison { Equal, GreaterOrEqual, LessOrEqual };
+
+/// SENSOR: ends the simulation when its function f reaches a value: |f - value| <= error (Equal),
+/// f >= value - error (GreaterOrEqual) or f <= value + error (LessOrEqual).
+struct SensorStatement {
+    SourcePosition where;
+    int id = 0;
+    ExpressionText function;
+    double value = 0;
+    double error = 1e-3;
+    SensorComparison comparison = SensorComparison::Equal;
+    bool halt = false;         ///< HALT: end the run
+    bool endsCommand = false;  ///< RETURN: end the SIMULATE that runs, and go on with the next command
+};
+
+/// A statement that changes no motion, or only the numerical method: read, kept as text, otherwise ignored.
+/// GRAPHICS, MREQUEST, STRING; OUTPUT, RESULTS, DEBUG, PREFERENCES, INTEGRATOR, KINEMATICS, EQUILIBRIUM, IC.
 struct IgnoredStatement {
     SourcePosition where;
     std::string keyword;    ///< in full and upper case
-    int id = 0;             ///< 0 for OUTPUT and RESULTS
+    int id = 0;             ///< 0 for statements without id, such as OUTPUT
     std::string arguments;  ///< as they stand, comments and line breaks taken out
 };
 
 /// What became of the statements of a file; the three add up to the statements in it.
 struct StatementCounts {
     int built = 0;    ///< became a member of the Dataset that has meaning for the mechanism
-    int ignored = 0;  ///< by a declared rule: GRAPHICS, OUTPUT, RESULTS
+    int ignored = 0;  ///< by a declared rule, see IgnoredStatement
     int errors = 0;   ///< reported with their position
 };
 
@@ -150,10 +176,21 @@ struct Dataset {
     std::optional<UnitsStatement> units;
     std::optional<AccgravStatement> gravity;
     std::vector<PartStatement> parts;
+    std::vector<PointMassStatement> pointMasses;
     std::vector<FlexBodyStatement> flexBodies;
     std::vector<MarkerStatement> markers;
     std::vector<JprimStatement> jprims;
     std::vector<JointStatement> joints;
+    std::vector<GconStatement> gcons;
+    std::vector<MotionStatement> motions;
+    std::vector<CouplerStatement> couplers;
+    std::vector<SforceStatement> sforces;
+    std::vector<VectorForceStatement> vectorForces;
+    std::vector<SpringdamperStatement> springdampers;
+    std::vector<BushingStatement> bushings;
+    std::vector<VariableStatement> variables;
+    std::vector<SplineStatement> splines;
+    std::vector<SensorStatement> sensors;
     std::vector<RequestStatement> requests;
     std::vector<IgnoredStatement> ignored;
     StatementCounts counts;
@@ -163,10 +200,9 @@ struct Dataset {
 bool operator==(const Dataset& a, const Dataset& b);
 bool operator!=(const Dataset& a, const Dataset& b);
 
-/// Adams' spelling of a type, in full and upper case: "PARALLEL_AXES", "REVOLUTE", "DISPLACEMENT".
-const char* getAdamsName(JprimType type);
-const char* getAdamsName(JointType type);
+/// Adams' spelling of a type, in full and upper case: "DISPLACEMENT", "GE".
 const char* getAdamsName(RequestType type);
+const char* getAdamsName(SensorComparison comparison);
 
 }  // namespace jprim
 
