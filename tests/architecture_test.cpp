@@ -20,16 +20,18 @@ using Rooms = std::set<std::string>;
 // A room and those it may use, besides itself.
 const std::map<std::string, Rooms> AllowedUses = {
     {"base", {}},
+    {"expression", {"base"}},
     {"flexible", {"base"}},
-    {"marker", {"base", "flexible"}},
+    {"marker", {"base", "expression", "flexible"}},
     {"primitive", {"base", "marker"}},
     {"joint", {"base", "marker", "primitive"}},
     {"analysis", {"base", "primitive", "joint"}},
     {"dataset", {"base"}},
-    {"build", {"base", "flexible", "marker", "primitive", "joint", "analysis", "dataset"}},
+    {"build", {"base", "expression", "flexible", "marker", "primitive", "joint", "analysis", "dataset"}},
     {"simulation", {"base", "marker", "analysis", "build"}},
     {"tool",
-     {"base", "flexible", "marker", "primitive", "joint", "analysis", "dataset", "build", "simulation"}}};
+     {"base", "expression", "flexible", "marker", "primitive", "joint", "analysis", "dataset", "build",
+      "simulation"}}};
 
 std::vector<fs::path> findFiles(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;

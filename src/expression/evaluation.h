@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_EXPRESSION_EVALUATION_H_
+#define JPRIM_SRC_EXPRESSION_EVALUATION_H_
+
+#include <vector>
+
+#include "expression/program.h"
+
+namespace jprim {
+
+/// A workspace in which a Program is run again and again. All memory is taken at construction.
+///
+/// Derivatives are exact. With time: two derivatives along a given motion are one chain rule per operation.
+/// With respect to the inputs: the chain rule backwards through the same operations. Both together are
+/// shorter than the use of a library would be: CppAD records another tape for each branch taken and takes
+/// memory while it does, and neither knows vectors of three.
+///
+/// Where a derivative does not exist it is that of the branch taken (MAX, MIN, IF, the ends of STEP), or
+/// zero (ABS at 0, the norm of a zero vector, AINT at a jump, SQRT at 0): one that is not finite counts as
+/// zero. Branches not taken have no influence, even if they have no value. So a finite value comes with finite
+/// derivatives, unless they are too large for a Real.
+class Evaluation {
+public:
+    explicit Evaluation(Program program);
+
+    const Program& getProgram() const { return m_program; }
+
+    /// Supplies an input, in the numbering of ProgramBuilder. calcValue() needs the value alone. Inputs keep
+    /// what they were given; at first they are zero.
+    void setScalarInput(int input, const Taylor<SimTK::Real>& value);
+    void setVectorInput(int input, const Taylor<SimTK::Vec3>& value);
+
+    /// The angle [rad] near which the continuous angle k is sought, to within half a turn. At first zero.
+    void setRememberedAngle(int k, SimTK::Real angle) { m_rememberedAngles.at(k) = angle; }
+
+    /// The result, for scalars and for vectors.
+    SimTK::Real calcValue();
+    SimTK::Vec3 calcVectorValue();
+
+    /// The result and its derivatives with time, if the inputs have theirs.
+    Taylor<SimTK::Real> calcTaylor();
+    Taylor<SimTK::Vec3> calcVectorTaylor();
+
+    /// The derivatives of the scalar result with respect to all inputs, where the last calc… was.
+    void calcGradient();
+    SimTK::Real getScalarGradient(int input) const;
+    const SimTK::Vec3& getVectorGradient(int input) const;
+
+    /// The continuous angle k [rad] that the last calc… found.
+    SimTK::Real getAngle(int k) const { return m_angles.at(k); }
+
+private:
+    Program m_program;
+    Registers m_registers;
+    std::vector<SimTK::Real> m_rememberedAngles, m_angles;
+    // Of the result with respect to each register.
+    std::vector<SimTK::Real> m_scalarGradients;
+    std::vector<SimTK::Vec3> m_vectorGradients;
+};
+
+}  // namespace jprim
+
+#endif

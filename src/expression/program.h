@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_EXPRESSION_PROGRAM_H_
+#define JPRIM_SRC_EXPRESSION_PROGRAM_H_
+
+#include <initializer_list>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "SimTKcommon.h"
+#include "expression/instruction.h"
+#include "expression/spline.h"
+
+namespace jprim {
+
+/// The highest derivative of the mechanism's coordinates that a value depends on. Reactions count as
+/// accelerations.
+enum class InputLevel { Position, Velocity, Acceleration };
+
+/// A value within a ProgramBuilder: a scalar or a vector of three.
+struct Operand {
+    int index = -1;
+    bool isVector = false;
+};
+
+/// A curve of a spline as an operation: which derivative of y(x, z) with respect to x.
+struct CurveUse {
+    Spline spline;
+    Spline::Method method;
+    int order;
+};
+
+/// A function expression ready to be evaluated: straight-line code on scalars and vectors. Immutable, and
+/// cheap to copy because copies share the code. An Evaluation runs it.
+class Program {
+public:
+    bool isVector() const { return m_code->result.isVector; }
+
+    /// All inputs that the builder was given before finish(), so that their numbers stay.
+    int getNumScalarInputs() const { return static_cast<int>(m_code->scalarInputs.size()); }
+    int getNumVectorInputs() const { return static_cast<int>(m_code->vectorInputs.size()); }
+
+    /// True if the result depends on the input; others need not be supplied.
+    bool usesScalarInput(int input) const { return m_code->scalarInputs.at(input) >= 0; }
+    bool usesVectorInput(int input) const { return m_code->vectorInputs.at(input) >= 0; }
+
+    /// The scalar input that is simulation time; -1 if the result does not depend on it.
+    int getTimeInput() const { return m_code->timeInput; }
+
+    /// The highest level of the inputs that the result depends on; Position if on none.
+    InputLevel getLevel() const { return m_code->level; }
+
+    /// True if the result is a polynomial of at most first degree in the Velocity inputs, with coefficients
+    /// that may depend on Position inputs and time, and has no Acceleration input. Decided from the operations
+    /// alone: v/v is not recognised as a constant. False if any result of a Select is of higher degree, or
+    /// if velocities decide which is taken.
+    bool isLinearInVelocity() const { return m_code->velocityDegree <= 1; }
+
+    /// How many angles an Evaluation has to remember.
+    int getNumAngles() const { return m_code->numAngles; }
+
+private:
+    friend class ProgramBuilder;
+    friend class Evaluation;
+
+    struct Code {
+        std::vector<Instruction> instructions;
+        std::vector<CurveUse> curves;
+        Registers initial;                            // constants in their places, zero elsewhere
+        std::vector<int> scalarInputs, vectorInputs;  // their registers; -1 for unused ones
+        Operand result;
+        InputLevel level = InputLevel::Position;
+        int velocityDegree = 0;
+        int timeInput = -1, numAngles = 0;
+    };
+    explicit Program(std::shared_ptr<const Code> code) : m_code(std::move(code)) {}
+
+    std::shared_ptr<const Code> m_code;
+};
+
+/// Writes a Program, one operation at a time. Arguments of the wrong shape are a programming error (assert);
+/// the parser checks shapes and reports them to the user. Operations on constants are done at once.
+class ProgramBuilder {
+public:
+    /// Inputs: what the evaluator supplies. Numbered from 0, scalars and vectors apart.
+    Operand addScalarInput(InputLevel level);
+    Operand addVectorInput(InputLevel level);
+    /// Simulation time [s]; the same scalar input whenever asked for.
+    Operand time();
+
+    Operand number(SimTK::Real value);
+    Operand vector(Operand x, Operand y, Operand z);
+    Operand add(Operand a, Operand b);       // both scalars or both vectors
+    Operand subtract(Operand a, Operand b);  // likewise
+    Operand negate(Operand a);
+    Operand multiply(Operand a,
+                     Operand b);           // scalar*scalar, scalar*vector, vector*scalar; dot of two vectors
+    Operand divide(Operand a, Operand b);  // by a scalar
+    Operand cross(Operand a, Operand b);
+    Operand norm(Operand a);       // derivatives of a zero vector's norm: zero
+    Operand normalize(Operand a);  // a zero vector stays zero
+    Operand component(Operand a, int axis);
+
+    Operand call(Function function, Operand a);
+    Operand power(Operand a, Operand b);
+    Operand min(Operand a, Operand b);
+    Operand max(Operand a, Operand b);
+    /// a - b trunc(a/b), with the sign of a.
+    Operand mod(Operand a, Operand b);
+    /// |a| with the sign of b, where zero counts as positive.
+    Operand sign(Operand a, Operand b);
+    /// a - b if that is positive, else zero.
+    Operand dim(Operand a, Operand b);
+    /// One of three scalars, by the sign of `condition`.
+    Operand select(Operand condition, Operand ifNegative, Operand ifZero, Operand ifPositive);
+    /// The derivative of order 0, 1 or 2 of a spline's y(x, z) with respect to x. Keeps a copy of the spline.
+    Operand curve(const Spline& spline, Spline::Method method, int order, Operand x, Operand z);
+
+    /// The angle of the point (x, y) in (-pi, pi] [rad]; 0 for the origin.
+    Operand atan2(Operand y, Operand x);
+    /// atan2 made continuous in time by whole turns, counted from an angle that the evaluator remembers; for
+    /// the origin that angle itself.
+    Operand continuousAngle(Operand y, Operand x);
+
+    /// True if the value depends on no input; then getConstant() has it.
+    bool isConstant(Operand a) const { return getTraits(a).isConstant; }
+    SimTK::Real getConstant(Operand scalar) const;
+    /// False for a constant that is infinite or no number, such as 1/0.
+    bool isFinite(Operand a) const;
+
+    /// The program that calculates `result`, without the operations that it does not need. The builder may
+    /// go on and finish other results.
+    Program finish(Operand result) const;
+
+private:
+    // What is known of a value without evaluating it. The degree in velocities stops at 2, for anything
+    // that is not of degree 0 or 1.
+    struct Traits {
+        bool isConstant = false;
+        InputLevel level = InputLevel::Position;
+        int velocityDegree = 0;
+    };
+
+    Operand makeOperand(bool isVector, Traits traits);
+    Operand emit(Operation operation, std::initializer_list<Operand> arguments, int detail = 0);
+    const Traits& getTraits(Operand a) const;
+    Traits combineTraits(Operation operation, const std::initializer_list<Operand>& arguments) const;
+
+    std::vector<Instruction> m_instructions;
+    std::vector<CurveUse> m_curves;
+    Registers m_values;  // of constants
+    std::vector<Traits> m_scalarTraits, m_vectorTraits;
+    std::vector<int> m_scalarInputs, m_vectorInputs;  // their registers
+    int m_timeInput = -1;
+};
+
+}  // namespace jprim
+
+#endif
