@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/text.h"
 #include "jprim/base/error.h"
 
 namespace jprim {
@@ -26,7 +27,7 @@ std::vector<std::string_view> split(std::string_view line) {
     std::vector<std::string_view> fields;
     while (!line.empty()) {
         const std::size_t comma = std::min(line.find(','), line.size());
-        fields.push_back(stripQuotes(stripBlanks(line.substr(0, comma))));
+        fields.push_back(stripQuotes(trim(line.substr(0, comma))));
         line.remove_prefix(std::min(comma + 1, line.size()));
     }
     return fields;
@@ -50,7 +51,7 @@ bool KeywordFile::nextLine() {
             m_files.pop_back();
             continue;
         }
-        const std::string_view line = stripBlanks(m_files.back().getLine());
+        const std::string_view line = trim(m_files.back().getLine());
         if (isComment(line)) continue;
         m_isKeyword = line.front() == '*';
         if (!m_isKeyword) {
@@ -65,16 +66,16 @@ bool KeywordFile::nextLine() {
 // False for *INCLUDE, whose lines may be data of the block it stands in.
 bool KeywordFile::readKeywordLine(std::string_view line) {
     std::vector<std::string_view> fields = split(line.substr(1));
-    while (line.back() == ',' && hasParameters(stripBlanks(m_files.back().getLineAhead()))) {
+    while (line.back() == ',' && hasParameters(trim(m_files.back().getLineAhead()))) {
         m_files.back().nextLine();
-        line = stripBlanks(m_files.back().getLine());
+        line = trim(m_files.back().getLine());
         for (const std::string_view field : split(line)) fields.push_back(field);
     }
     Parameters parameters;
     for (const std::string_view field : fields) {
         const std::size_t equals = std::min(field.find('='), field.size());
         const std::string_view value = field.substr(std::min(equals + 1, field.size()));
-        parameters[toUpperCase(stripBlanks(field.substr(0, equals)))] = stripQuotes(stripBlanks(value));
+        parameters[toUpperCase(trim(field.substr(0, equals)))] = stripQuotes(trim(value));
     }
     const std::string keyword = fields.empty() ? "" : toUpperCase(fields.front());
     if (keyword == "INCLUDE") {

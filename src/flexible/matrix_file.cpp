@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "flexible/text_file.h"
 #include "jprim/base/error.h"
 
@@ -23,9 +24,8 @@ MatrixTerm readTerm(const TextFile& file, std::size_t rows, const std::string& r
     MatrixTerm term;
     const bool isRead =
         takeNumber(rest, term.row) && takeNumber(rest, term.column) && takeNumber(rest, term.value);
-    if (!isRead || !stripBlanks(rest).empty())
-        file.fail(
-            fmt::format("{} is not `row column value`; {}", quoteText(stripBlanks(file.getLine())), remedy));
+    if (!isRead || !trim(rest).empty())
+        file.fail(fmt::format("{} is not `row column value`; {}", quote(trim(file.getLine())), remedy));
     checkInside(file, "row", term.row, rows);
     checkInside(file, "column", term.column, rows);
     return {term.row - 1, term.column - 1, term.value};
@@ -56,7 +56,7 @@ std::vector<MatrixTerm> readMatrixFile(const std::string& path, const std::vecto
     std::vector<bool> hasDiagonal(freedoms.size());
     bool hasUpper = false, hasLower = false;
     while (file.nextLine()) {
-        if (stripBlanks(file.getLine()).empty()) continue;
+        if (trim(file.getLine()).empty()) continue;
         const MatrixTerm term = readTerm(file, freedoms.size(), remedy);
         if (term.row == term.column) hasDiagonal[term.row] = true;
         hasUpper = hasUpper || term.row < term.column;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/text.h"
 #include "flexible/keyword_file.h"
 #include "flexible/mesh_sets.h"
 #include "jprim/base/error.h"
@@ -222,7 +223,7 @@ int DefinitionReader::readId(std::string_view field, const char* what) const {
     int id = 0;
     std::string_view rest = field;
     if (!takeNumber(rest, id) || !rest.empty() || id < 0)
-        m_file.fail(fmt::format("{} is not {}", quoteText(field), what));
+        m_file.fail(fmt::format("{} is not {}", quote(field), what));
     return id;
 }
 
@@ -231,7 +232,7 @@ double DefinitionReader::readReal(std::string_view field) const {
     double value = 0;
     std::string_view rest = field;
     if (!field.empty() && (!takeNumber(rest, value) || !rest.empty()))
-        m_file.fail(fmt::format("{} is not a number", quoteText(field)));
+        m_file.fail(fmt::format("{} is not a number", quote(field)));
     return value;
 }
 
@@ -244,7 +245,7 @@ Ids& DefinitionReader::openSet(const char* parameter, MeshSets& sets) {
 const Ids& DefinitionReader::findSet(std::string_view name, const MeshSets& sets) const {
     if (const Ids* found = sets.findSet(name)) return *found;
     m_file.fail(fmt::format("there is no {} set {} above this line",
-                            &sets == &m_nodeSets ? "node" : "element", quoteText(name)));
+                            &sets == &m_nodeSets ? "node" : "element", quote(name)));
 }
 
 void DefinitionReader::setInAssembly(bool inAssembly) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "flexible/text_file.h"
 
 namespace jprim {

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "base/text.h"
 #include "flexible/matrix_file.h"
 #include "flexible/mesh_definition.h"
 #include "flexible/mesh_sets.h"
@@ -36,7 +37,7 @@ public:
 
     RowTable read() {
         while (m_file.nextLine())
-            if (!stripBlanks(m_file.getLine()).empty()) readRow();
+            if (!trim(m_file.getLine()).empty()) readRow();
         for (const int node : m_table.nodes) checkNode(node);
         for (const auto& [id, nodes] : m_definition.elements)
             for (const int node : nodes) checkNode(node);
@@ -50,14 +51,13 @@ private:
     };
 
     void readRow() {
-        const std::string_view line = stripBlanks(m_file.getLine());
+        const std::string_view line = trim(m_file.getLine());
         const std::size_t dot = line.find('.');
         std::string_view front = line.substr(0, dot), back = line.substr(std::min(dot, line.size() - 1) + 1);
         int node = 0, direction = 0;
         const bool isRead = dot != line.npos && takeNumber(front, node) && takeNumber(back, direction);
         if (!isRead || !front.empty() || !back.empty() || direction < 1 || direction > 3)
-            m_file.fail(
-                fmt::format("{} is not `node.direction` with a direction from 1 to 3", quoteText(line)));
+            m_file.fail(fmt::format("{} is not `node.direction` with a direction from 1 to 3", quote(line)));
         addRow(node, direction - 1);
     }
 
@@ -140,7 +140,7 @@ const std::vector<int>& FiniteElementMesh::getNodeSet(const std::string& name) c
     if (found != nodeSets.end()) return found->second;
     std::string names;
     for (const auto& [other, nodes] : nodeSets) names += (names.empty() ? "" : ", ") + other;
-    throw Error(model.name, fmt::format("there is no node set {}; {}", quoteText(name),
+    throw Error(model.name, fmt::format("there is no node set {}; {}", quote(name),
                                         names.empty() ? "the file has none" : "there are " + names));
 }
 

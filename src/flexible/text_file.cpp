@@ -9,15 +9,11 @@
 #include <fstream>
 #include <utility>
 
+#include "base/text.h"
 #include "jprim/base/error.h"
 
 namespace jprim {
 namespace {
-
-// Not <cctype>: the same in every locale, and defined for bytes above 127.
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
-}
 
 std::string readText(const std::string& path, const std::string& remedy) {
     std::error_code code;  // a folder has no size, although it can be opened
@@ -44,7 +40,7 @@ std::string_view takeWord(std::string_view& text) {
 // From_chars knows "inf" and "nan", which are no numbers here.
 bool beginsNumber(std::string_view word) {
     if (!word.empty() && word.front() == '-') word.remove_prefix(1);
-    return !word.empty() && (word.front() == '.' || (word.front() >= '0' && word.front() <= '9'));
+    return !word.empty() && (word.front() == '.' || isDigit(word.front()));
 }
 
 template <class T>
@@ -100,26 +96,6 @@ bool takeNumber(std::string_view& text, double& value) {
     withE[static_cast<std::size_t>(stop - word.data())] = 'E';
     const auto [stopE, codeE] = readWord(withE, value);
     return codeE == std::errc() && stopE == withE.data() + withE.size();
-}
-
-std::string_view stripBlanks(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-    return text;
-}
-
-std::string toUpperCase(std::string_view text) {
-    std::string upper(text);
-    for (char& c : upper)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return upper;
-}
-
-std::string quoteText(std::string_view text) {
-    constexpr std::size_t longest = 40;
-    std::string result = "'";
-    for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
-    return result + (text.size() > longest ? "...'" : "'");
 }
 
 }  // namespace jprim

@@ -46,14 +46,6 @@ bool takeNumber(std::string_view& text, int& value);
 /// The same for a real: `5`, `-.5`, `2.07E+005`, or with the D that Fortran writes, `2.07D+005`.
 bool takeNumber(std::string_view& text, double& value);
 
-/// The text without the blanks at both ends.
-std::string_view stripBlanks(std::string_view text);
-
-std::string toUpperCase(std::string_view text);
-
-/// The text in quotes for a message: cut when long, bytes outside printable ASCII shown as `?`.
-std::string quoteText(std::string_view text);
-
 }  // namespace jprim
 
 #endif

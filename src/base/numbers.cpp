@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dataset/numbers.h"
+#include "base/numbers.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dataset/text.h"
+#include "base/text.h"
 
 namespace jprim {
 namespace {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dataset/text.h"
+#include "base/text.h"
 
 #include <algorithm>
 
 namespace jprim {
+
+std::string toUpperCase(std::string_view text) {
+    std::string upper(text);
+    for (char& c : upper) c = toUpper(c);
+    return upper;
+}
 
 std::string_view trim(std::string_view text) {
     while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
