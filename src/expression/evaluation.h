@@ -31,7 +31,7 @@ public:
     void setVectorInput(int input, const Taylor<SimTK::Vec3>& value);
 
     /// The angle [rad] near which the continuous angle k is sought, to within half a turn. At first zero.
-    void setRememberedAngle(int k, SimTK::Real angle) { m_rememberedAngles.at(k) = angle; }
+    void setRememberedAngle(int k, SimTK::Real angle);
 
     /// The result, for scalars and for vectors.
     SimTK::Real calcValue();
@@ -47,12 +47,16 @@ public:
     const SimTK::Vec3& getVectorGradient(int input) const;
 
     /// The continuous angle k [rad] that the last calc… found.
-    SimTK::Real getAngle(int k) const { return m_angles.at(k); }
+    SimTK::Real getAngle(int k) const;
 
 private:
     Program m_program;
     Registers m_registers;
-    std::vector<SimTK::Real> m_rememberedAngles, m_angles;
+    template <class Access>
+    void run();
+    void goBack(const Instruction& instruction, SimTK::Real gradient);
+    void goBack(const Instruction& instruction, const SimTK::Vec3& gradient);
+
     // Of the result with respect to each register.
     std::vector<SimTK::Real> m_scalarGradients;
     std::vector<SimTK::Vec3> m_vectorGradients;

@@ -5,33 +5,13 @@
 #include <array>
 #include <vector>
 
-#include "SimTKcommon.h"
+#include "expression/functions.h"
+#include "expression/spline.h"
 #include "expression/taylor.h"
 
 /// @file
 /// What a Program is made of; of interest to the builder and the evaluation only.
 namespace jprim {
-
-/// Real functions of one real argument, radians where an angle is meant. Aint cuts off the fraction, Anint
-/// rounds halves away from zero.
-enum class Function {
-    Abs,
-    Acos,
-    Aint,
-    Anint,
-    Asin,
-    Atan,
-    Cos,
-    Cosh,
-    Exp,
-    Log,
-    Log10,
-    Sin,
-    Sinh,
-    Sqrt,
-    Tan,
-    Tanh
-};
 
 /// The elementary operations. s is a scalar and v a vector in the lists of arguments.
 enum class Operation {
@@ -40,11 +20,7 @@ enum class Operation {
     Negate,           ///< s
     Multiply,         ///< s, s
     Divide,           ///< s, s
-    Call,             ///< s; detail: the Function
-    Power,            ///< s, s
-    Mod,              ///< s, s
-    Atan2,            ///< y, x
-    Angle,            ///< y, x; detail: which of the remembered angles
+    Call,             ///< x, y; detail: the Function. The argument of a function of x alone stands twice.
     Curve,            ///< x, z; detail: which of the program's curves
     Select,           ///< s, then the results if it is < 0, = 0, > 0
     Dot,              ///< v, v
@@ -52,7 +28,6 @@ enum class Operation {
     Vector,           ///< s, s, s
     AddVectors,       ///< v, v
     SubtractVectors,  ///< v, v
-    NegateVector,     ///< v
     Scale,            ///< s, v
     Cross             ///< v, v
 };
@@ -70,6 +45,20 @@ struct Instruction {
     int detail = 0;
     std::array<int, 4> arguments{-1, -1, -1, -1};
     int result = -1;
+};
+
+/// Which argument is the result of Select. A condition that is no number is the result itself.
+inline int findBranch(SimTK::Real condition) {
+    if (condition < 0) return 1;
+    if (condition == 0) return 2;
+    return condition > 0 ? 3 : 0;
+}
+
+/// A spline as an operation: the derivative of this order of y(x, z) with respect to x.
+struct CurveUse {
+    Spline spline;
+    Spline::Method method;
+    int order;
 };
 
 /// The values that instructions read and write.

@@ -7,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "SimTKcommon.h"
 #include "expression/instruction.h"
-#include "expression/spline.h"
 
 namespace jprim {
 
@@ -21,13 +19,6 @@ enum class InputLevel { Position, Velocity, Acceleration };
 struct Operand {
     int index = -1;
     bool isVector = false;
-};
-
-/// A curve of a spline as an operation: which derivative of y(x, z) with respect to x.
-struct CurveUse {
-    Spline spline;
-    Spline::Method method;
-    int order;
 };
 
 /// A function expression ready to be evaluated: straight-line code on scalars and vectors. Immutable, and
@@ -57,12 +48,16 @@ public:
     bool isLinearInVelocity() const { return m_code->velocityDegree <= 1; }
 
     /// How many angles an Evaluation has to remember.
-    int getNumAngles() const { return m_code->numAngles; }
+    int getNumAngles() const { return static_cast<int>(m_code->angles.size()); }
 
 private:
     friend class ProgramBuilder;
     friend class Evaluation;
 
+    // The registers of a continuous angle: what the evaluator remembers, what comes out.
+    struct Angle {
+        int remembered, result;
+    };
     struct Code {
         std::vector<Instruction> instructions;
         std::vector<CurveUse> curves;
@@ -71,7 +66,8 @@ private:
         Operand result;
         InputLevel level = InputLevel::Position;
         int velocityDegree = 0;
-        int timeInput = -1, numAngles = 0;
+        int timeInput = -1;
+        std::vector<Angle> angles;
     };
     explicit Program(std::shared_ptr<const Code> code) : m_code(std::move(code)) {}
 
@@ -87,6 +83,9 @@ public:
     Operand addVectorInput(InputLevel level);
     /// Simulation time [s]; the same scalar input whenever asked for.
     Operand time();
+    /// How many there are by now, time included: the number that the next input gets.
+    int getNumScalarInputs() const { return static_cast<int>(m_scalarInputs.size()); }
+    int getNumVectorInputs() const { return static_cast<int>(m_vectorInputs.size()); }
 
     Operand number(SimTK::Real value);
     Operand vector(Operand x, Operand y, Operand z);
@@ -118,8 +117,8 @@ public:
 
     /// The angle of the point (x, y) in (-pi, pi] [rad]; 0 for the origin.
     Operand atan2(Operand y, Operand x);
-    /// atan2 made continuous in time by whole turns, counted from an angle that the evaluator remembers; for
-    /// the origin that angle itself.
+    /// atan2 made continuous in time by whole turns: so many that it is within half a turn of an angle that the
+    /// evaluator remembers.
     Operand continuousAngle(Operand y, Operand x);
 
     /// True if the value depends on no input; then getConstant() has it.
@@ -141,8 +140,10 @@ private:
         int velocityDegree = 0;
     };
 
-    Operand makeOperand(bool isVector, Traits traits);
+    Operand makeOperand(bool isVector, const Traits& traits);
+    Operand addInput(bool isVector, InputLevel level);
     Operand emit(Operation operation, std::initializer_list<Operand> arguments, int detail = 0);
+    Operand callTwo(Function function, Operand x, Operand y);
     const Traits& getTraits(Operand a) const;
     Traits combineTraits(Operation operation, const std::initializer_list<Operand>& arguments) const;
 
@@ -151,6 +152,7 @@ private:
     Registers m_values;  // of constants
     std::vector<Traits> m_scalarTraits, m_vectorTraits;
     std::vector<int> m_scalarInputs, m_vectorInputs;  // their registers
+    std::vector<Program::Angle> m_angles;
     int m_timeInput = -1;
 };
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "expression/execute.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::Vec3;
+
+Partials calcCurvePartials(const CurveUse& use, Real x, Real z) {
+    const auto& [spline, method, order] = use;
+    return {spline.calcDerivative(method, x, z, order + 1), spline.calcSlopeInZ(method, x, z, order),
+            spline.calcDerivative(method, x, z, order + 2), spline.calcSlopeInZ(method, x, z, order + 1), 0};
+}
+
+namespace {
+
+Real call(Function function, Real x, Real y) {
+    return calcFunction(function, x, y);
+}
+
+Taylor<Real> call(Function function, const Taylor<Real>& x, const Taylor<Real>& y) {
+    const Real f = calcFunction(function, x.value, y.value);
+    return chain(f, calcPartials(function, x.value, y.value, f), x, y);
+}
+
+Real call(const CurveUse& use, Real x, Real z) {
+    return calcCurve(use, x, z);
+}
+
+Taylor<Real> call(const CurveUse& use, const Taylor<Real>& x, const Taylor<Real>& z) {
+    return chain(calcCurve(use, x.value, z.value), calcCurvePartials(use, x.value, z.value), x, z);
+}
+
+Real getComponent(const Vec3& v, int axis) {
+    return v[axis];
+}
+
+Taylor<Real> getComponent(const Taylor<Vec3>& v, int axis) {
+    return {v.value[axis], v.first[axis], v.second[axis]};
+}
+
+Vec3 makeVector(Real x, Real y, Real z) {
+    return {x, y, z};
+}
+
+Taylor<Vec3> makeVector(const Taylor<Real>& x, const Taylor<Real>& y, const Taylor<Real>& z) {
+    return {{x.value, y.value, z.value}, {x.first, y.first, z.first}, {x.second, y.second, z.second}};
+}
+
+}  // namespace
+
+template <class Access>
+void execute(const Instruction& instruction, const std::vector<CurveUse>& curves, Registers& registers) {
+    using SimTK::cross;
+    using SimTK::dot;
+    const auto& [operation, detail, arguments, result] = instruction;
+    const auto s = [&](int i) -> decltype(auto) { return Access::get(registers.scalars[arguments[i]]); };
+    const auto v = [&](int i) -> decltype(auto) { return Access::get(registers.vectors[arguments[i]]); };
+    const auto setScalar = [&](const auto& x) { Access::set(registers.scalars[result], x); };
+    const auto setVector = [&](const auto& x) { Access::set(registers.vectors[result], x); };
+    switch (operation) {
+        case Operation::Add: return setScalar(s(0) + s(1));
+        case Operation::Subtract: return setScalar(s(0) - s(1));
+        case Operation::Negate: return setScalar(-s(0));
+        case Operation::Multiply: return setScalar(s(0) * s(1));
+        case Operation::Divide: return setScalar(s(0) / s(1));
+        case Operation::Call: return setScalar(call(static_cast<Function>(detail), s(0), s(1)));
+        case Operation::Curve: return setScalar(call(curves[detail], s(0), s(1)));
+        case Operation::Select: return setScalar(s(findBranch(registers.scalars[arguments[0]].value)));
+        case Operation::Dot: return setScalar(dot(v(0), v(1)));
+        case Operation::Component: return setScalar(getComponent(v(0), detail));
+        case Operation::Vector: return setVector(makeVector(s(0), s(1), s(2)));
+        case Operation::AddVectors: return setVector(v(0) + v(1));
+        case Operation::SubtractVectors: return setVector(v(0) - v(1));
+        case Operation::Scale: return setVector(s(0) * v(1));
+        case Operation::Cross: return setVector(cross(v(0), v(1)));
+    }
+}
+
+template void execute<ValuesOnly>(const Instruction&, const std::vector<CurveUse>&, Registers&);
+template void execute<WithDerivatives>(const Instruction&, const std::vector<CurveUse>&, Registers&);
+
+}  // namespace jprim
