@@ -24,14 +24,18 @@ const std::map<std::string, Rooms> AllowedUses = {
     {"flexible", {"base"}},
     {"marker", {"base", "expression", "flexible"}},
     {"primitive", {"base", "marker"}},
-    {"joint", {"base", "marker", "primitive"}},
-    {"analysis", {"base", "primitive", "joint"}},
+    {"general", {"base", "expression", "marker"}},
+    {"force", {"base", "expression", "marker"}},
+    {"joint", {"base", "marker", "primitive", "general"}},
+    {"analysis", {"base", "primitive", "general", "joint"}},
     {"dataset", {"base"}},
-    {"build", {"base", "expression", "flexible", "marker", "primitive", "joint", "analysis", "dataset"}},
-    {"simulation", {"base", "marker", "analysis", "build"}},
+    {"build",
+     {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
+      "dataset"}},
+    {"simulation", {"base", "expression", "marker", "general", "force", "joint", "analysis", "build"}},
     {"tool",
-     {"base", "expression", "flexible", "marker", "primitive", "joint", "analysis", "dataset", "build",
-      "simulation"}}};
+     {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
+      "dataset", "build", "simulation"}}};
 
 std::vector<fs::path> findFiles(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "jprim/marker/load.h"
+#include "marker/marker_frames.h"
 
 namespace jprim {
 
@@ -26,8 +27,12 @@ Marker turnZTo(const Marker& marker, const CoordinateAxis& axis) {
 
 }  // namespace
 
-Joint::Joint(const char* adamsType, const std::string& name, std::vector<Primitive> primitives)
-    : m_adamsType(adamsType), m_name(name), m_primitives(std::move(primitives)) {}
+Joint::Joint(const char* adamsType, const std::string& name, std::vector<Primitive> primitives,
+             std::vector<GeneralConstraint> equations)
+    : m_adamsType(adamsType),
+      m_name(name),
+      m_primitives(std::move(primitives)),
+      m_equations(std::move(equations)) {}
 
 Joint::Joint(const Primitive& primitive)
     : Joint(primitive.getAdamsType(), primitive.getName(), {primitive}) {}
@@ -70,29 +75,77 @@ Joint Joint::Hooke(const Marker& I, const Marker& J, const std::string& name) {
         {AtPoint(I, J, name), Perpendicular(turnZTo(I, SimTK::XAxis), turnZTo(J, SimTK::YAxis), name)});
 }
 
+Joint Joint::Convel(const Marker& I, const Marker& J, const std::string& name) {
+    const Expression equation = composeExpression(I, J, [](MarkerFrames& f) {
+        return f.updBuilder().subtract(f.element(PairI, PairJ, 1, 0), f.element(PairI, PairJ, 0, 1));
+    });
+    return Joint("CONVEL", name, {AtPoint(I, J, name)}, {GeneralConstraint(equation, name)});
+}
+
+namespace {
+
+// Travel of I along z_J = factor * angle + offset.
+GeneralConstraint makeRolling(const Marker& I, const Marker& J,
+                              const std::function<Operand(MarkerFrames&)>& angle, Real factor, Real offset,
+                              const std::string& name) {
+    const Expression equation = composeExpression(I, J, [&](MarkerFrames& f) {
+        ProgramBuilder& b = f.updBuilder();
+        const Operand travel = f.along(f.position(PairI, PairJ), PairJ, 2);
+        const Operand rolled = b.multiply(b.number(factor), angle(f));
+        return b.subtract(b.subtract(travel, rolled), b.number(offset));
+    });
+    return GeneralConstraint(equation, name);
+}
+
+}  // namespace
+
+Joint Joint::Screw(const Marker& I, const Marker& J, Real pitch, Real offset, const std::string& name) {
+    const auto angle = [](MarkerFrames& f) { return f.angleAboutZ(PairI, PairJ); };
+    return Joint("SCREW", name, {}, {makeRolling(I, J, angle, pitch / (2 * SimTK::Pi), offset, name)});
+}
+
+// Seen from I, which turns, z_J turns the other way.
+Joint Joint::Rackpin(const Marker& I, const Marker& J, Real diameter, Real offset, const std::string& name) {
+    const auto angle = [](MarkerFrames& f) {
+        ProgramBuilder& b = f.updBuilder();
+        return b.negate(b.continuousAngle(f.element(PairI, PairJ, 2, 1), f.element(PairI, PairJ, 2, 0)));
+    };
+    return Joint("RACKPIN", name, {}, {makeRolling(I, J, angle, diameter / 2, offset, name)});
+}
+
+std::vector<SimTK::Constraint> Joint::getConstraints() const {
+    std::vector<SimTK::Constraint> constraints(m_primitives.begin(), m_primitives.end());
+    constraints.insert(constraints.end(), m_equations.begin(), m_equations.end());
+    return constraints;
+}
+
 void Joint::disable(State& state) const {
-    for (const Primitive& primitive : m_primitives) primitive.disable(state);
+    for (const SimTK::Constraint& constraint : getConstraints()) constraint.disable(state);
 }
 
 void Joint::enable(State& state) const {
-    for (const Primitive& primitive : m_primitives) primitive.enable(state);
+    for (const SimTK::Constraint& constraint : getConstraints()) constraint.enable(state);
 }
 
 bool Joint::isDisabled(const State& state) const {
-    return std::all_of(m_primitives.begin(), m_primitives.end(),
-                       [&state](const Primitive& primitive) { return primitive.isDisabled(state); });
+    const std::vector<SimTK::Constraint> constraints = getConstraints();
+    return std::all_of(constraints.begin(), constraints.end(), [&state](const SimTK::Constraint& constraint) {
+        return constraint.isDisabled(state);
+    });
 }
 
 //-------------------------------------------------------------------------------------- reactions
 SpatialVec Joint::calcReactionOnI(const State& state) const {
     SpatialVec sum(Vec3(0), Vec3(0));
     for (const Primitive& primitive : m_primitives) sum += primitive.calcReactionOnI(state);
+    for (const GeneralConstraint& equation : m_equations) sum += equation.calcReactionOn(state, PairI);
     return sum;
 }
 
 SpatialVec Joint::calcReactionOnJ(const State& state) const {
     SpatialVec sum(Vec3(0), Vec3(0));
     for (const Primitive& primitive : m_primitives) sum += primitive.calcReactionOnJ(state);
+    for (const GeneralConstraint& equation : m_equations) sum += equation.calcReactionOn(state, PairJ);
     return sum;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "marker/constrained_marker.h"
 
-#include <algorithm>
-
 namespace jprim {
 
 using SimTK::Real;
@@ -31,11 +29,10 @@ SpatialVec ConstrainedMarker::calcAccelerationBias(const State& state, const Tra
                                X_AB.R() * calcAccelerationInBody(*node, X, eta, etaDot, nullptr));
 }
 
-void ConstrainedMarker::calcModalLoads(const State& state, const Transform& X_AB, const Transform& X,
-                                       const SpatialVec& F_A, Real* loads) const {
+void ConstrainedMarker::addModalLoads(const State& state, const Transform& X_AB, const Transform& X,
+                                      const SpatialVec& F_A, Real* loads) const {
     if (!node) return;
-    std::fill(loads, loads + getNumCoordinates(), 0);
-    addModalLoads(*node, X, getEta(state), ~X_AB.R() * F_A, loads);
+    jprim::addModalLoads(*node, X, getEta(state), ~X_AB.R() * F_A, loads);
 }
 
 }  // namespace jprim

@@ -38,10 +38,10 @@ struct ConstrainedMarker {
     /// A_AM where neither the body nor the coordinates accelerate.
     SimTK::SpatialVec calcAccelerationBias(const SimTK::State& state, const SimTK::Transform& X_AB,
                                            const SimTK::SpatialVec& V_AB, const SimTK::Transform& X) const;
-    /// What a load [moment, force] in A at M's origin does to each coordinate, into `loads`; nothing for a
+    /// Adds to `loads` what a load [moment, force] in A at M's origin does to each coordinate; nothing for a
     /// rigid marker.
-    void calcModalLoads(const SimTK::State& state, const SimTK::Transform& X_AB, const SimTK::Transform& X,
-                        const SimTK::SpatialVec& F_A, SimTK::Real* loads) const;
+    void addModalLoads(const SimTK::State& state, const SimTK::Transform& X_AB, const SimTK::Transform& X,
+                       const SimTK::SpatialVec& F_A, SimTK::Real* loads) const;
 };
 
 }  // namespace jprim

@@ -16,6 +16,12 @@ SpatialVec expressLoadIn(const State& state, const SpatialVec& load_G, const Mar
     return ~axes.findPoseInGround(state).R() * load_G;
 }
 
+Real getLoadComponent(const SpatialVec& load, int component) {
+    const Vec3& half = component <= 4 ? load[1] : load[0];
+    const int axis = (component - 1) % 4;  // 0 is the magnitude
+    return axis == 0 ? half.norm() : half[axis - 1];
+}
+
 Real getReactionComponent(const SpatialVec& onI, const SpatialVec& onJ, int jflag, int comp,
                           const std::string& element) {
     if (jflag != 0 && jflag != 1)
@@ -26,10 +32,7 @@ Real getReactionComponent(const SpatialVec& onI, const SpatialVec& onJ, int jfla
         throw Error(element, fmt::format("component {} of a reaction does not exist; use 1 to 8 for "
                                          "FM FX FY FZ TM TX TY TZ",
                                          comp));
-    const SpatialVec& load = jflag == 0 ? onI : onJ;
-    const Vec3& half = comp <= 4 ? load[1] : load[0];
-    const int axis = (comp - 1) % 4;  // 0 is the magnitude
-    return axis == 0 ? half.norm() : half[axis - 1];
+    return getLoadComponent(jflag == 0 ? onI : onJ, comp);
 }
 
 }  // namespace jprim

@@ -144,6 +144,7 @@ void PrimitiveImpl::calcPositionCache(const State& state, PositionCache& cache) 
     const MarkerPair pair(X_AI, X_AJ);
 
     calcDirections(pair, cache.directions);
+    std::fill(cache.modalRows.begin(), cache.modalRows.end(), 0);
     Real* modal = cache.modalRows.data();
     for (int k = 0; k < m_numEquations; ++k) {
         const SpatialVec F_I = pair.calcLoadOnI(cache.directions[k]);
@@ -151,8 +152,8 @@ void PrimitiveImpl::calcPositionCache(const State& state, PositionCache& cache) 
         const SpatialVec onI = SimTK::shiftForceBy(F_I, X_ABI.p() - X_AI.p());
         const SpatialVec onJ = SimTK::shiftForceBy(F_J, X_ABJ.p() - X_AJ.p());
         cache.rows[k] = {onI[0], onJ[0], onI[1]};
-        m_I.calcModalLoads(state, X_ABI, placements.I, F_I, modal);
-        m_J.calcModalLoads(state, X_ABJ, placements.J, F_J, modal + m_I.getNumCoordinates());
+        m_I.addModalLoads(state, X_ABI, placements.I, F_I, modal);
+        m_J.addModalLoads(state, X_ABJ, placements.J, F_J, modal + m_I.getNumCoordinates());
         modal += m_numCoordinates;
     }
 }

@@ -10,7 +10,7 @@
 
 namespace jprim::testing {
 
-/// How far one holonomic constraint is from the identities that every constraint must satisfy off its
+/// How far one constraint, of positions or of velocities, is from the identities that every constraint must satisfy off its
 /// manifold, at random poses and velocities. Errors are relative to the size of what is compared.
 struct Conformance {
     double rateError = 0;          ///< de/dt against central differences of e along the motion

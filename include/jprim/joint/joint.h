@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "jprim/general/general_constraint.h"
 #include "jprim/primitive/primitives.h"
 
 namespace jprim {
@@ -22,6 +23,12 @@ namespace jprim {
 /// | Fixed | ATPOINT + ORIENTATION | none |
 /// | Universal | ATPOINT + PERPENDICULAR | 2 rotations; z_I and z_J are the bars of the cross |
 /// | Hooke | ATPOINT + PERPENDICULAR on turned markers | 2 rotations; x_I and y_J are the bars |
+/// | Convel | ATPOINT + x_I . y_J = y_I . x_J | 2 rotations; turning about z_I turns z_J the other way |
+/// | Screw | DZ(I,J,J) = pitch AZ(I,J) / 2 pi + offset | 5: it keeps nothing else |
+/// | Rackpin | DZ(I,J,J) = diameter/2 angle + offset | 5; I on the pinion, z_J along the rack's travel |
+///
+/// Screw and Rackpin count whole turns. The angle of a Rackpin is that of I about z_I, from where x_I points
+/// along z_J.
 ///
 /// Each factory adds the primitives to the markers' system and throws Error as they do. A Joint is a value:
 /// copies refer to the same constraints.
@@ -36,6 +43,14 @@ public:
     static Joint Universal(const Marker& I, const Marker& J, const std::string& name = "");
     static Joint Hooke(const Marker& I, const Marker& J, const std::string& name = "");
 
+    static Joint Convel(const Marker& I, const Marker& J, const std::string& name = "");
+    /// @param pitch  length per turn; right-hand if positive
+    static Joint Screw(const Marker& I, const Marker& J, SimTK::Real pitch, SimTK::Real offset = 0,
+                       const std::string& name = "");
+    /// @param diameter  pitch diameter of the pinion
+    static Joint Rackpin(const Marker& I, const Marker& J, SimTK::Real diameter, SimTK::Real offset = 0,
+                         const std::string& name = "");
+
     /// A bundle of one, with the primitive's type and name: lets a JPRIM stand where a JOINT does.
     explicit Joint(const Primitive& primitive);
 
@@ -48,15 +63,19 @@ public:
 
     /// The primitives, the translational one first.
     const std::vector<Primitive>& getPrimitives() const { return m_primitives; }
+    /// The equation of a Convel, Screw or Rackpin; of other joints none.
+    const std::vector<GeneralConstraint>& getEquations() const { return m_equations; }
+    /// All of these, as Simbody's constraints.
+    std::vector<SimTK::Constraint> getConstraints() const;
 
-    /// Switch all primitives off or on in this State. Requires Stage::Model.
+    /// Switch all constraints off or on in this State. Requires Stage::Model.
     void disable(SimTK::State& state) const;
     void enable(SimTK::State& state) const;
-    /// True if all primitives are off.
+    /// True if all are off.
     bool isDisabled(const SimTK::State& state) const;
 
     /// @name Total reaction
-    /// Sum over the primitives, [moment, force] acting on the marker's body, in Ground's axes or those of a
+    /// Sum over the constraints, [moment, force] acting on the marker's body, in Ground's axes or those of a
     /// marker; on I at I's origin, on J at J's origin with the lever -r x F_I. Requires Stage::Acceleration.
     ///@{
     SimTK::SpatialVec calcReactionOnI(const SimTK::State& state) const;
@@ -72,11 +91,13 @@ public:
     ///@}
 
 private:
-    Joint(const char* adamsType, const std::string& name, std::vector<Primitive> primitives);
+    Joint(const char* adamsType, const std::string& name, std::vector<Primitive> primitives,
+          std::vector<GeneralConstraint> equations = {});
 
     const char* m_adamsType;
     std::string m_name;
     std::vector<Primitive> m_primitives;
+    std::vector<GeneralConstraint> m_equations;
 };
 
 }  // namespace jprim

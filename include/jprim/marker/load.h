@@ -13,6 +13,9 @@ namespace jprim {
 SimTK::SpatialVec expressLoadIn(const SimTK::State& state, const SimTK::SpatialVec& load_G,
                                 const Marker& axes);
 
+/// One component of a load [moment, force]: 1 … 8 = FM FX FY FZ TM TX TY TZ; FM and TM are magnitudes.
+SimTK::Real getLoadComponent(const SimTK::SpatialVec& load, int component);
+
 /// One component of a reaction, chosen as Adams' functions JPRIM(id, jflag, comp, rm) and JOINT(…) do.
 /// @param onI,onJ  the load on I at I's origin and on J at J's, both in the wanted axes
 /// @param jflag    0: onI; 1: onJ

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_FORCE_EXPRESSION_MEASURE_H_
+#define JPRIM_FORCE_EXPRESSION_MEASURE_H_
+
+#include "jprim/marker/expression.h"
+
+namespace jprim {
+
+class ExpressionMeasureImpl;
+
+/// An expression as a member of a system, where its angles AX, AY and AZ count whole turns from step to step
+/// of an integrator. To Simbody it is a force element that applies no force; the handle holds no data.
+class ExpressionMeasure : public SimTK::Force::Custom {
+public:
+    /// An empty handle; good only to be assigned to.
+    ExpressionMeasure() = default;
+    /// @throws Error if the expression is a vector
+    ExpressionMeasure(SimTK::GeneralForceSubsystem& forces, const Expression& expression);
+
+    /// Requires Stage::Position, Stage::Velocity or Stage::Acceleration, as the highest derivative in the
+    /// expression does.
+    SimTK::Real calcValue(const SimTK::State& state) const;
+
+private:
+    ExpressionMeasure(SimTK::GeneralForceSubsystem& forces, ExpressionMeasureImpl* implementation);
+};
+
+}  // namespace jprim
+
+#endif

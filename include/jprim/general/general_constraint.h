@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_GENERAL_GENERAL_CONSTRAINT_H_
+#define JPRIM_GENERAL_GENERAL_CONSTRAINT_H_
+
+#include <string>
+
+#include "jprim/marker/expression.h"
+
+namespace jprim {
+
+class GeneralConstraintImpl;
+
+/// Adams' GCON: one equation f = 0 between any number of markers, given as an expression. It is
+/// - holonomic if f depends on positions and time: e = f, and df/dt, d2f/dt2 are its exact derivatives;
+/// - nonholonomic if f depends on velocities: de/dt = f, which must be linear in them.
+///
+/// Each marker receives the load lambda df'/d[w, v], f' being df/dt of a holonomic and f of a nonholonomic
+/// equation. An ordinary SimTK::Constraint; the handle holds no data and may be copied freely. Source:
+/// Adams/Solver C++, statement GCON.
+class GeneralConstraint : public SimTK::Constraint::Custom {
+public:
+    /// An empty handle; good only to be assigned to.
+    GeneralConstraint() = default;
+
+    /// f = 0.
+    /// @throws Error, naming the constraint, if f is a vector, depends on no marker, on accelerations or
+    ///         reactions, or not linearly on velocities; or if markers are on no body or in different systems
+    explicit GeneralConstraint(const Expression& f, const std::string& name = "");
+
+    /// A coordinate that follows a function of time: q = g, dq/dt = g or d2q/dt2 = g.
+    /// @param coordinate  q, of positions
+    /// @param function    g, of nothing but TIME
+    /// @param derivative  which derivative of q equals g: 0, 1 or 2
+    /// @param period      q and q + period are the same, and g may go on for many of them; 0: they are not
+    /// @throws Error as above
+    GeneralConstraint(const Expression& coordinate, const Expression& function, int derivative,
+                      SimTK::Real period, const std::string& name = "");
+
+    const std::string& getName() const;
+    /// True if the equation is one of positions.
+    bool isHolonomic() const;
+
+    /// A factor of the equation. It changes no motion and no reaction, but what a tolerance means: by default
+    /// 1; good where the factor's gradient is about 1.
+    GeneralConstraint& setDefaultScale(SimTK::Real scale);
+
+    /// The load [moment, force] on the marker with this key in the expression, at its origin, in Ground or in
+    /// the axes of a marker; zero if the expression does not depend on it, or the constraint is disabled.
+    /// Requires Stage::Acceleration.
+    SimTK::SpatialVec calcReactionOn(const SimTK::State& state, int marker) const;
+    SimTK::SpatialVec calcReactionOn(const SimTK::State& state, int marker, const Marker& axes) const;
+
+private:
+    explicit GeneralConstraint(GeneralConstraintImpl* implementation);
+    const GeneralConstraintImpl& getImpl() const;
+    GeneralConstraintImpl& updImpl();
+};
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_JOINT_MOTION_H_
+#define JPRIM_JOINT_MOTION_H_
+
+#include <string>
+
+#include "jprim/general/general_constraint.h"
+
+namespace jprim {
+
+/// A coordinate of marker I relative to marker J.
+enum class Coordinate {
+    X,  ///< of I's origin along J's axes
+    Y,
+    Z,
+    Rotation,  ///< about the common z axis: the angle from x_J to x_I
+    B1,        ///< body-fixed 1-2-3 angles: R_JI = Rx(B1) Ry(B2) Rz(B3)
+    B2,
+    B3
+};
+
+/// True if the coordinate is a length; false if it is an angle.
+bool isLength(Coordinate coordinate);
+
+/// The coordinate as an expression, in the system's units and rad; the keys of I and J are 1 and 2. Angles
+/// are within half a turn, or with `countTurns` a Rotation counts whole turns.
+Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinate, bool countTurns = false);
+
+/// Adams' MOTION: a coordinate, its rate or its acceleration is a function of time. One equation; of
+/// positions, velocities or accelerations, and only what it prescribes is kept exactly. The reaction is the
+/// load that drives I: a force along an axis of J or, at the coordinate's axis, a torque. Source:
+/// Adams/Solver, statement MOTION.
+class Motion : public GeneralConstraint {
+public:
+    Motion() = default;
+    /// @param function    of nothing but TIME; an angle may go on for whole turns
+    /// @param derivative  which derivative of the coordinate the function gives: 0, 1 or 2
+    /// @throws Error as GeneralConstraint
+    Motion(const Marker& I, const Marker& J, Coordinate coordinate, const Expression& function,
+           int derivative = 0, const std::string& name = "");
+
+    /// [moment, force] on the marker's body at its origin, in Ground. Requires Stage::Acceleration.
+    SimTK::SpatialVec calcReactionOnI(const SimTK::State& state) const;
+    SimTK::SpatialVec calcReactionOnJ(const SimTK::State& state) const;
+};
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/force/expression_measure.h"
+
+#include "jprim/base/error.h"
+#include "marker/tracked_expression.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Vec3;
+using SimTK::Vector;
+using SimTK::Vector_;
+
+class ExpressionMeasureImpl : public SimTK::Force::Custom::Implementation {
+public:
+    ExpressionMeasureImpl(SimTK::GeneralForceSubsystem& forces, const Expression& expression)
+        : m_forces(forces), m_expression(expression) {
+        if (m_expression.get().program.isVector())
+            throw Error("expression", "it is a vector where a number is needed");
+    }
+
+    Real calcValue(const State& state) const { return m_expression.calcValue(state); }
+
+private:
+    void realizeTopology(State& state) const override { m_expression.allocate(m_forces, state); }
+    void realizePosition(const State& state) const override { m_expression.followAngles(state); }
+    void calcForce(const State&, Vector_<SpatialVec>&, Vector_<Vec3>&, Vector&) const override {}
+    Real calcPotentialEnergy(const State&) const override { return 0; }
+
+    SimTK::GeneralForceSubsystem& m_forces;
+    mutable TrackedExpression m_expression;  // mutable: its topology cache
+};
+
+ExpressionMeasure::ExpressionMeasure(SimTK::GeneralForceSubsystem& forces,
+                                     ExpressionMeasureImpl* implementation)
+    : Custom(forces, implementation) {}
+
+ExpressionMeasure::ExpressionMeasure(SimTK::GeneralForceSubsystem& forces, const Expression& expression)
+    : ExpressionMeasure(forces, new ExpressionMeasureImpl(forces, expression)) {}
+
+Real ExpressionMeasure::calcValue(const State& state) const {
+    return static_cast<const ExpressionMeasureImpl&>(getImplementation()).calcValue(state);
+}
+
+}  // namespace jprim

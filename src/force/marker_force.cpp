@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/force/marker_force.h"
+
+#include "force/marker_force_impl.h"
+
+namespace jprim {
+
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Vec3;
+
+MarkerForce::MarkerForce(SimTK::GeneralForceSubsystem& forces, MarkerForceImpl* implementation)
+    : Custom(forces, implementation) {}
+
+MarkerForce::MarkerForce(SimTK::GeneralForceSubsystem& forces, const Marker& I,
+                         const std::optional<Marker>& J, const ForceLaw& law, const std::string& name)
+    : MarkerForce(forces, new MarkerForceImpl(forces, I, J, law, name)) {}
+
+const MarkerForceImpl& MarkerForce::getImpl() const {
+    return static_cast<const MarkerForceImpl&>(getImplementation());
+}
+
+const std::string& MarkerForce::getName() const {
+    return getImpl().getName();
+}
+
+SpatialVec MarkerForce::calcLoadOnI(const State& state) const {
+    return isDisabled(state) ? SpatialVec(Vec3(0), Vec3(0)) : getImpl().calcLoadOnI(state);
+}
+
+SpatialVec MarkerForce::calcLoadOnJ(const State& state) const {
+    return isDisabled(state) ? SpatialVec(Vec3(0), Vec3(0)) : getImpl().calcLoadOnJ(state);
+}
+
+}  // namespace jprim

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "force/marker_force_impl.h"
+
+#include <fmt/format.h>
+
+#include "jprim/base/error.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Vec3;
+
+namespace {
+
+std::optional<TrackedExpression> take(const std::optional<Expression>& expression, bool isVector,
+                                      const char* what, const std::string& name) {
+    if (!expression) return std::nullopt;
+    const Program& program = expression->getImplementation().program;
+    if (program.isVector() != isVector)
+        throw Error(name, fmt::format("its {} must be a {}", what, isVector ? "vector" : "number"));
+    if (program.getLevel() == InputLevel::Acceleration)
+        throw Error(
+            name, fmt::format("its {} cannot depend on accelerations or reactions, which are known only when "
+                              "all forces are",
+                              what));
+    return TrackedExpression(*expression);
+}
+
+}  // namespace
+
+MarkerForceImpl::MarkerForceImpl(SimTK::GeneralForceSubsystem& forces, const Marker& I,
+                                 const std::optional<Marker>& J, const ForceLaw& law, const std::string& name)
+    : m_forces(forces),
+      m_name(name),
+      m_I(I),
+      m_J(J),
+      m_force(take(law.force, true, "force", name)),
+      m_moment(take(law.moment, true, "moment", name)),
+      m_potential(take(law.potential, false, "potential", name)) {
+    if (!I.isOnBody() || (J && !J->isOnBody()))
+        throw Error(name,
+                    "a marker is not on a body; construct it with a MobilizedBody that has been added to a "
+                    "matter subsystem");
+}
+
+void MarkerForceImpl::realizeTopology(State& state) const {
+    for (auto* expression : {&m_force, &m_moment, &m_potential})
+        if (*expression) (*expression)->allocate(m_forces, state);
+}
+
+// Loads are asked for at every step, the potential only now and then.
+void MarkerForceImpl::realizePosition(const State& state) const {
+    if (m_potential) m_potential->followAngles(state);
+}
+
+SpatialVec MarkerForceImpl::calcLoadOnI(const State& state) const {
+    return {m_moment ? m_moment->calcVector(state) : Vec3(0), m_force ? m_force->calcVector(state) : Vec3(0)};
+}
+
+namespace {
+
+SpatialVec calcOpposite(const State& state, const SpatialVec& onI, const Marker& I, const Marker& J) {
+    const Vec3 r = I.findPoseInGround(state).p() - J.findPoseInGround(state).p();
+    return -SimTK::shiftForceBy(onI, -r);
+}
+
+}  // namespace
+
+SpatialVec MarkerForceImpl::calcLoadOnJ(const State& state) const {
+    return m_J ? calcOpposite(state, calcLoadOnI(state), m_I, *m_J) : SpatialVec(Vec3(0), Vec3(0));
+}
+
+void MarkerForceImpl::calcForce(const State& state, SimTK::Vector_<SpatialVec>& bodyForces,
+                                SimTK::Vector_<Vec3>&, SimTK::Vector& mobilityForces) const {
+    const SpatialVec onI = calcLoadOnI(state);
+    m_I.applyLoad(state, onI, bodyForces, mobilityForces);
+    if (m_J) m_J->applyLoad(state, calcOpposite(state, onI, m_I, *m_J), bodyForces, mobilityForces);
+}
+
+Real MarkerForceImpl::calcPotentialEnergy(const State& state) const {
+    return m_potential ? m_potential->calcValue(state) : 0;
+}
+
+}  // namespace jprim

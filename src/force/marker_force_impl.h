@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_FORCE_MARKER_FORCE_IMPL_H_
+#define JPRIM_SRC_FORCE_MARKER_FORCE_IMPL_H_
+
+#include <string>
+
+#include "jprim/force/marker_force.h"
+#include "marker/tracked_expression.h"
+
+namespace jprim {
+
+class MarkerForceImpl : public SimTK::Force::Custom::Implementation {
+public:
+    MarkerForceImpl(SimTK::GeneralForceSubsystem& forces, const Marker& I, const std::optional<Marker>& J,
+                    const ForceLaw& law, const std::string& name);
+
+    const std::string& getName() const { return m_name; }
+    SimTK::SpatialVec calcLoadOnI(const SimTK::State& state) const;
+    SimTK::SpatialVec calcLoadOnJ(const SimTK::State& state) const;
+
+private:
+    void realizeTopology(SimTK::State& state) const override;
+    void realizePosition(const SimTK::State& state) const override;
+    void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& bodyForces,
+                   SimTK::Vector_<SimTK::Vec3>& particleForces, SimTK::Vector& mobilityForces) const override;
+    SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;
+
+    SimTK::GeneralForceSubsystem& m_forces;
+    std::string m_name;
+    Marker m_I;
+    std::optional<Marker> m_J;
+    mutable std::optional<TrackedExpression> m_force, m_moment,
+        m_potential;  // mutable: their topology caches
+};
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "general/check_expression.h"
+
+#include <fmt/format.h>
+
+#include "jprim/base/error.h"
+
+namespace jprim {
+
+using SimTK::SimbodyMatterSubsystem;
+
+std::string findEquationProblem(const MarkerExpression& expression) {
+    const Program& program = expression.program;
+    if (program.isVector()) return "the expression is a vector; write one equation for each component";
+    if (program.getLevel() == InputLevel::Acceleration)
+        return "a constraint cannot depend on accelerations or reactions; only on positions, velocities and TIME";
+    if (!program.isLinearInVelocity())
+        return "the expression is not linear in velocities; a constraint of velocities must be";
+    if (expression.markers.empty()) return "the expression depends on no marker, so it constrains nothing";
+    return "";
+}
+
+std::string findFunctionProblem(const MarkerExpression& expression) {
+    if (expression.program.isVector()) return "the function is a vector; it must be a number";
+    const bool onlyTime = expression.markers.empty() && expression.program.getLevel() == InputLevel::Position;
+    return onlyTime ? "" : "the function must depend on nothing but TIME";
+}
+
+SimbodyMatterSubsystem& findMatter(const MarkerExpression& expression, const std::string& element) {
+    const std::string problem = findEquationProblem(expression);
+    if (!problem.empty()) throw Error(element, problem);
+    for (size_t k = 0; k < expression.markers.size(); ++k) {
+        if (!expression.markers[k].isOnBody())
+            throw Error(element,
+                        fmt::format("marker {} is not on a body; construct it with a MobilizedBody that "
+                                    "has been added to a matter subsystem",
+                                    expression.markerIds[k]));
+        if (&expression.markers[k].getBody().getMatterSubsystem() !=
+            &expression.markers[0].getBody().getMatterSubsystem())
+            throw Error(element,
+                        fmt::format("markers {} and {} belong to different systems; put all bodies into one",
+                                    expression.markerIds[0], expression.markerIds[k]));
+    }
+    // Adding a constraint is what the caller asked for.
+    return const_cast<SimbodyMatterSubsystem&>(expression.markers[0].getBody().getMatterSubsystem());
+}
+
+}  // namespace jprim

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/general/general_constraint.h"
+
+#include "general/check_expression.h"
+#include "general/general_constraint_impl.h"
+#include "jprim/base/error.h"
+#include "jprim/marker/load.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Vec3;
+
+namespace {
+
+GeneralConstraintImpl* makeDriven(const Expression& coordinate, const Expression& function, int derivative,
+                                  Real period, const std::string& name) {
+    const std::string problem = findFunctionProblem(function.getImplementation());
+    if (!problem.empty()) throw Error(name, problem);
+    if (coordinate.getImplementation().program.getLevel() != InputLevel::Position)
+        throw Error(name, "a coordinate that follows a function must depend on positions only");
+    return new GeneralConstraintImpl(coordinate, &function, derivative, period, name);
+}
+
+}  // namespace
+
+GeneralConstraint::GeneralConstraint(GeneralConstraintImpl* implementation) : Custom(implementation) {}
+
+GeneralConstraint::GeneralConstraint(const Expression& f, const std::string& name)
+    : GeneralConstraint(new GeneralConstraintImpl(f, nullptr, 0, 0, name)) {}
+
+GeneralConstraint::GeneralConstraint(const Expression& coordinate, const Expression& function, int derivative,
+                                     Real period, const std::string& name)
+    : GeneralConstraint(makeDriven(coordinate, function, derivative, period, name)) {}
+
+const GeneralConstraintImpl& GeneralConstraint::getImpl() const {
+    return static_cast<const GeneralConstraintImpl&>(getImplementation());
+}
+
+GeneralConstraintImpl& GeneralConstraint::updImpl() {
+    return static_cast<GeneralConstraintImpl&>(updImplementation());
+}
+
+const std::string& GeneralConstraint::getName() const {
+    return getImpl().getName();
+}
+
+bool GeneralConstraint::isHolonomic() const {
+    return getImpl().isHolonomic();
+}
+
+GeneralConstraint& GeneralConstraint::setDefaultScale(Real scale) {
+    updImpl().setScale(scale);
+    return *this;
+}
+
+SpatialVec GeneralConstraint::calcReactionOn(const State& state, int marker) const {
+    if (isDisabled(state)) return SpatialVec(Vec3(0), Vec3(0));
+    return getImpl().calcLoadOn(state, marker);
+}
+
+SpatialVec GeneralConstraint::calcReactionOn(const State& state, int marker, const Marker& axes) const {
+    return expressLoadIn(state, calcReactionOn(state, marker), axes);
+}
+
+}  // namespace jprim

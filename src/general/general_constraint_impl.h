@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_GENERAL_GENERAL_CONSTRAINT_IMPL_H_
+#define JPRIM_SRC_GENERAL_GENERAL_CONSTRAINT_IMPL_H_
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jprim/marker/expression.h"
+#include "marker/angle_memory.h"
+#include "marker/constrained_marker.h"
+
+namespace jprim {
+
+/// One equation scale (q^(d) - g) = 0. q is the expression, of positions or linear in velocities; g a
+/// function of time, zero for a GCON; d the derivative of q that g prescribes.
+///
+/// With q' the rate of q that is linear in velocities - dq/dt of positions, q itself of velocities -
+///
+///     q'  = sum over bodies of direction . V + q'_0,      load on a body: lambda direction
+///     q'' = sum over bodies of direction . A + bias
+///
+/// directions and q'_0 are computed once per position, the bias once per velocity.
+class GeneralConstraintImpl : public SimTK::Constraint::Custom::Implementation {
+public:
+    /// @param function  null if the equation is q = 0
+    GeneralConstraintImpl(const Expression& coordinate, const Expression* function, int derivative,
+                          SimTK::Real period, const std::string& name);
+    Implementation* clone() const override { return new GeneralConstraintImpl(*this); }
+
+    const std::string& getName() const { return m_name; }
+    bool isHolonomic() const { return m_equationLevel == 0; }
+    void setScale(SimTK::Real scale) {
+        invalidateTopologyCache();
+        m_scale = scale;
+    }
+    /// [moment, force] in Ground on a marker at its origin.
+    SimTK::SpatialVec calcLoadOn(const SimTK::State& state, int markerId) const;
+
+private:
+    using Poses = SimTK::Array_<SimTK::Transform, SimTK::ConstrainedBodyIndex>;
+    using Motions = SimTK::Array_<SimTK::SpatialVec, SimTK::ConstrainedBodyIndex>;
+    using Reals = SimTK::Array_<SimTK::Real>;
+    template <class Index>
+    using Coordinates = SimTK::Array_<SimTK::Real, Index>;
+
+    /// What is kept in the State.
+    struct PositionCache {
+        std::vector<SimTK::SpatialVec> directions;  // by body, about its origin
+        std::vector<SimTK::Real> modalDirections;   // by modal coordinate
+        SimTK::Real rateAtRest = 0;                 // q'_0
+        std::vector<MarkerMotion> motions;          // poses, and room for the rest
+        std::optional<Evaluation> coordinate, function;
+    };
+
+    void realizeTopology(SimTK::State& state) const override;
+    void realizePosition(const SimTK::State& state) const override;
+    void realizeVelocity(const SimTK::State& state) const override;
+    void calcPositionErrors(const SimTK::State& state, const Poses& X_AB,
+                            const Coordinates<SimTK::ConstrainedQIndex>& q, Reals& e) const override;
+    void calcPositionDotErrors(const SimTK::State& state, const Motions& V_AB,
+                               const Coordinates<SimTK::ConstrainedQIndex>& qDot, Reals& e) const override;
+    void calcPositionDotDotErrors(const SimTK::State& state, const Motions& A_AB,
+                                  const Coordinates<SimTK::ConstrainedQIndex>& qDotDot,
+                                  Reals& e) const override;
+    void addInPositionConstraintForces(const SimTK::State& state, const Reals& lambda, Motions& forces_A,
+                                       Coordinates<SimTK::ConstrainedQIndex>& qForces) const override;
+    void calcVelocityErrors(const SimTK::State& state, const Motions& V_AB,
+                            const Coordinates<SimTK::ConstrainedUIndex>& u, Reals& e) const override;
+    void calcVelocityDotErrors(const SimTK::State& state, const Motions& A_AB,
+                               const Coordinates<SimTK::ConstrainedUIndex>& uDot, Reals& e) const override;
+    void addInVelocityConstraintForces(const SimTK::State& state, const Reals& lambda, Motions& forces_A,
+                                       Coordinates<SimTK::ConstrainedUIndex>& uForces) const override;
+    void calcAccelerationErrors(const SimTK::State& state, const Motions& A_AB,
+                                const Coordinates<SimTK::ConstrainedUIndex>& uDot, Reals& e) const override;
+    void addInAccelerationConstraintForces(const SimTK::State& state, const Reals& lambda, Motions& forces_A,
+                                           Coordinates<SimTK::ConstrainedUIndex>& uForces) const override;
+
+    void addMarkers();
+    void checkDistances(const PositionCache& cache) const;
+    PositionCache& updPositionCache(const SimTK::State& state) const;
+    const PositionCache& getPositionCache(const SimTK::State& state) const;
+    void calcPositionCache(const SimTK::State& state, PositionCache& cache) const;
+    SimTK::Real getBias(const SimTK::State& state) const;
+    SimTK::Real calcBias(const SimTK::State& state) const;
+    Taylor<SimTK::Real> calcFunction(const SimTK::State& state) const;
+    template <class Index>
+    SimTK::Real multiply(const SimTK::State& state, const Motions& motions,
+                         const Coordinates<Index>& coordinates) const;
+    template <class Index>
+    void addForces(const SimTK::State& state, const Reals& lambda, Motions& forces_A,
+                   Coordinates<Index>& modalForces) const;
+
+    std::string m_name;
+    std::shared_ptr<const MarkerExpression> m_coordinate;
+    std::shared_ptr<const MarkerExpression> m_function;  // may be null
+    int m_equationLevel;  // 0, 1, 2: an equation of positions, velocities, accelerations
+    SimTK::Real m_period;
+    SimTK::Real m_scale = 1;
+    std::vector<ConstrainedMarker> m_markers;  // as in m_coordinate
+    int m_numBodies = 0;
+    int m_numCoordinates = 0;
+
+    // Topology cache.
+    mutable AngleMemory m_angles;
+    mutable SimTK::SubsystemIndex m_subsystem;
+    mutable SimTK::CacheEntryIndex m_positionCache;
+    mutable SimTK::CacheEntryIndex m_bias;
+};
+
+}  // namespace jprim
+
+#endif

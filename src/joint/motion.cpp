@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/joint/motion.h"
+
+#include "marker/marker_frames.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::SpatialVec;
+using SimTK::State;
+
+namespace {
+
+// With R = R_JI: B1 = atan2(-R12, R22), B2 = atan2(R02, |(R00, R01)|), B3 = atan2(-R01, R00).
+Operand composeAngle(MarkerFrames& f, Coordinate coordinate) {
+    ProgramBuilder& b = f.updBuilder();
+    const auto R = [&f](int row, int column) { return f.element(PairI, PairJ, row, column); };
+    if (coordinate == Coordinate::Rotation) return b.atan2(R(1, 0), R(0, 0));
+    if (coordinate == Coordinate::B1) return b.atan2(b.negate(R(1, 2)), R(2, 2));
+    if (coordinate == Coordinate::B3) return b.atan2(b.negate(R(0, 1)), R(0, 0));
+    return b.atan2(R(0, 2), b.norm(b.vector(R(0, 0), R(0, 1), b.number(0))));
+}
+
+}  // namespace
+
+bool isLength(Coordinate coordinate) {
+    return coordinate == Coordinate::X || coordinate == Coordinate::Y || coordinate == Coordinate::Z;
+}
+
+Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinate, bool countTurns) {
+    return composeExpression(I, J, [&](MarkerFrames& f) {
+        if (isLength(coordinate)) return f.along(f.position(PairI, PairJ), PairJ, int(coordinate));
+        const bool counted = countTurns && coordinate == Coordinate::Rotation;
+        return counted ? f.angleAboutZ(PairI, PairJ) : composeAngle(f, coordinate);
+    });
+}
+
+Motion::Motion(const Marker& I, const Marker& J, Coordinate coordinate, const Expression& function,
+               int derivative, const std::string& name)
+    : GeneralConstraint(makeCoordinate(I, J, coordinate), function, derivative,
+                        isLength(coordinate) ? Real(0) : 2 * SimTK::Pi, name) {}
+
+SpatialVec Motion::calcReactionOnI(const State& state) const {
+    return calcReactionOn(state, PairI);
+}
+
+SpatialVec Motion::calcReactionOnJ(const State& state) const {
+    return calcReactionOn(state, PairJ);
+}
+
+}  // namespace jprim

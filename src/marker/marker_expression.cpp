@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "marker/marker_expression.h"
+
+#include <algorithm>
+
+#include "jprim/marker/expression.h"
+#include "marker/marker_vocabulary.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Vec3;
+
+namespace {
+
+int getAxis(MarkerQuantity quantity) {
+    return int(quantity) - int(MarkerQuantity::AxisX);
+}
+
+// A vector fixed to a turning frame.
+Taylor<Vec3> rotate(const Vec3& x, const MarkerMotion& m) {
+    const Vec3 first = m.V[0] % x;
+    return {x, first, m.A[0] % x + m.V[0] % first};
+}
+
+Taylor<Vec3> calcInput(MarkerQuantity quantity, const MarkerMotion& m, const ExpressionUnits& u) {
+    const Real v = u.time / u.length;
+    switch (quantity) {
+        case MarkerQuantity::Origin: return {m.X.p() / u.length, m.V[1] / u.length, m.A[1] / u.length};
+        case MarkerQuantity::Velocity: return {v * m.V[1], v * m.A[1], Vec3(0)};
+        case MarkerQuantity::AngularVelocity: return {u.time * m.V[0], u.time * m.A[0], Vec3(0)};
+        case MarkerQuantity::Acceleration: return {v * u.time * m.A[1], Vec3(0), Vec3(0)};
+        case MarkerQuantity::AngularAcceleration: return {u.time * u.time * m.A[0], Vec3(0), Vec3(0)};
+        default: return rotate(Vec3(m.X.R()(getAxis(quantity))), m);
+    }
+}
+
+}  // namespace
+
+void MarkerExpression::setInputs(Real time, const MarkerMotion* motions, Evaluation& evaluation) const {
+    if (program.getTimeInput() >= 0)
+        evaluation.setScalarInput(program.getTimeInput(), {time / units.time, 1 / units.time, 0});
+    for (size_t k = 0; k < vectorInputs.size(); ++k) {
+        const VectorInput& input = vectorInputs[k];
+        evaluation.setVectorInput(int(k), calcInput(input.quantity, motions[input.marker], units));
+    }
+}
+
+void MarkerExpression::setInputs(const State& state, Evaluation& evaluation, InputLevel highest) const {
+    const InputLevel level = std::min(program.getLevel(), highest);
+    std::vector<MarkerMotion> motions(markers.size());
+    for (size_t k = 0; k < markers.size(); ++k) {
+        motions[k].X = markers[k].findPoseInGround(state);
+        if (level >= InputLevel::Velocity) motions[k].V = markers[k].findVelocityInGround(state);
+        if (level >= InputLevel::Acceleration) motions[k].A = markers[k].findAccelerationInGround(state);
+    }
+    setInputs(state.getTime(), motions.data(), evaluation);
+    if (highest < InputLevel::Acceleration) return;
+    for (size_t k = 0; k < scalarInputs.size(); ++k)
+        if (scalarInputs[k] && program.usesScalarInput(int(k)))
+            evaluation.setScalarInput(int(k), {scalarInputs[k](state), 0, 0});
+}
+
+// An axis x turns with w: d(g.x)/dt = g.(w x x) = (x x g).w
+SpatialVec MarkerExpression::getDirection(const Evaluation& evaluation, const MarkerMotion* motions,
+                                          int marker) const {
+    const bool ofVelocity = program.getLevel() == InputLevel::Velocity;
+    SpatialVec direction(Vec3(0), Vec3(0));
+    for (size_t k = 0; k < vectorInputs.size(); ++k) {
+        const auto [owner, quantity] = vectorInputs[k];
+        if (owner != marker || !program.usesVectorInput(int(k))) continue;
+        const Vec3& g = evaluation.getVectorGradient(int(k));
+        if (quantity == MarkerQuantity::Velocity)
+            direction[1] += g * (units.time / units.length);
+        else if (quantity == MarkerQuantity::AngularVelocity)
+            direction[0] += g * units.time;
+        else if (ofVelocity)
+            continue;
+        else if (quantity == MarkerQuantity::Origin)
+            direction[1] += g / units.length;
+        else
+            direction[0] += Vec3(motions[marker].X.R()(getAxis(quantity))) % g;
+    }
+    return direction;
+}
+
+Real MarkerExpression::getTimeDerivative(const Evaluation& evaluation) const {
+    const int input = program.getTimeInput();
+    return input < 0 ? 0 : evaluation.getScalarGradient(input) / units.time;
+}
+
+int ExpressionInputs::findMarker(int id) const {
+    const auto found = std::find(markerIds.begin(), markerIds.end(), id);
+    return found == markerIds.end() ? -1 : int(found - markerIds.begin());
+}
+
+Expression::Expression(const std::string& text, const std::map<int, Marker>& markers) {
+    const auto find = [&markers](int id) {
+        const auto found = markers.find(id);
+        return found == markers.end() ? nullptr : &found->second;
+    };
+    m_expression = std::make_shared<const MarkerExpression>(compileMarkerExpression(text, find));
+}
+
+Real Expression::calcValue(const State& state) const {
+    Evaluation evaluation(m_expression->program);
+    m_expression->setInputs(state, evaluation);
+    return evaluation.calcValue();
+}
+
+}  // namespace jprim

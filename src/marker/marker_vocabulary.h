@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_MARKER_MARKER_VOCABULARY_H_
+#define JPRIM_SRC_MARKER_MARKER_VOCABULARY_H_
+
+#include <string_view>
+#include <vector>
+
+#include "expression/compile_expression.h"
+#include "marker/marker_frames.h"
+
+namespace jprim {
+
+/// Adams' measures of markers, as Expression lists them, for the expression compiler.
+class MarkerVocabulary : public Vocabulary {
+public:
+    explicit MarkerVocabulary(MarkerFrames& frames) : m_frames(frames) {}
+
+    std::optional<Operand> call(ProgramBuilder& builder, const Call& call) override;
+    std::vector<std::string> getNames() const override;
+    const Spline* findSpline(int) override { return nullptr; }
+
+protected:
+    MarkerFrames& updFrames() { return m_frames; }
+
+    /// The ids in the call's arguments; those left out are 0. @throws ExpressionError unless there are
+    /// `least` to `most` of them
+    static std::vector<int> getIds(const Call& call, int least, int most);
+    /// @throws ExpressionError if the argument is not 0 and names no marker
+    void checkMarker(const Call& call, size_t argument, int id) const;
+
+private:
+    MarkerFrames& m_frames;
+};
+
+/// Compiles an expression that knows nothing but markers. @throws Error with the column of the mistake
+MarkerExpression compileMarkerExpression(std::string_view text, const MarkerFrames::FindMarker& find);
+
+}  // namespace jprim
+
+#endif

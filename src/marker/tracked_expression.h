@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_MARKER_TRACKED_EXPRESSION_H_
+#define JPRIM_SRC_MARKER_TRACKED_EXPRESSION_H_
+
+#include "jprim/marker/expression.h"
+#include "marker/angle_memory.h"
+
+namespace jprim {
+
+/// An expression evaluated at States of one system, with what that needs in a State: memory to work in, and
+/// the whole turns of its angles, counted from step to step of an integrator.
+class TrackedExpression {
+public:
+    explicit TrackedExpression(const Expression& expression) : m_expression(expression) {}
+
+    const MarkerExpression& get() const { return m_expression.getImplementation(); }
+
+    /// In realizeTopology().
+    void allocate(const SimTK::Subsystem& subsystem, SimTK::State& state);
+
+    /// Require the stage that Expression::calcValue() does.
+    SimTK::Real calcValue(const SimTK::State& state) const;
+    SimTK::Vec3 calcVector(const SimTK::State& state) const;
+
+    /// Notes the angles, which depend on positions alone; for an owner that asks for no values while time goes
+    /// on. Requires Stage::Position.
+    void followAngles(const SimTK::State& state) const;
+
+private:
+    Evaluation& prepare(const SimTK::State& state, InputLevel highest) const;
+
+    Expression m_expression;
+    AngleMemory m_angles;
+    SimTK::SubsystemIndex m_subsystem;
+    SimTK::CacheEntryIndex m_evaluation;
+};
+
+}  // namespace jprim
+
+#endif
