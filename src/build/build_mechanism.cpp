@@ -9,11 +9,12 @@
 #include "build/connections.h"
 #include "build/frames.h"
 #include "build/mechanism_builder.h"
-#include "build/not_simulated.h"
+#include "jprim/marker/marker_pair.h"
 
 namespace jprim {
 
 using SimTK::MobilizedBody;
+using SimTK::Transform;
 using SimTK::Vec3;
 
 //------------------------------------------------------------------------------ units, gravity, frames
@@ -31,7 +32,8 @@ void MechanismBuilder::chooseUnits() {
 void MechanismBuilder::chooseLengthUnit() {
     double largest = 0;  // [m]: markers are in SI until here
     for (const PartStatement& part : m_dataset.parts)
-        if (!part.ground && part.cm != 0) largest = std::max(largest, calcReach(part));
+        if (!part.ground && part.cm != 0)
+            largest = std::max(largest, calcReach(m_partIndex.at(part.id), getMarkerPose(part.cm).p()));
     for (const auto& [id, basis] : m_modes)
         for (const ModalNode& node : basis.nodes)
             largest = std::max(largest, (node.position - basis.rigid.center).norm());
@@ -62,6 +64,7 @@ void MechanismBuilder::applyUcf(const UnitsStatement& statement) {
 void MechanismBuilder::indexParts() {
     int index = 0;
     for (const PartStatement& part : m_dataset.parts) m_partIndex[part.id] = index++;
+    for (const PointMassStatement& mass : m_dataset.pointMasses) m_pointMassIndex[mass.id] = index++;
     for (const FlexBodyStatement& body : m_dataset.flexBodies) m_flexBodyIndex[body.id] = index++;
 }
 
@@ -71,8 +74,10 @@ void MechanismBuilder::findMarkerPoses() {
         m_markerPoses[marker.id] =
             makeFrame({findOrigin(marker), marker.reuler, marker.zp, marker.xp, marker.usexp},
                       m_mechanism.m_units.length, problem);
-        const int owner =
-            marker.flexBody != 0 ? m_flexBodyIndex.at(marker.flexBody) : m_partIndex.at(marker.part);
+        const int owner = marker.flexBody != 0    ? m_flexBodyIndex.at(marker.flexBody)
+                          : marker.pointMass != 0 ? m_pointMassIndex.at(marker.pointMass)
+                                                  : m_partIndex.at(marker.part);
+        if (marker.floating) m_floatingMarkers.insert(marker.id);
         m_ownerOfMarker[marker.id] = owner;
         m_markersOfOwner[owner].push_back(marker.id);
         if (!problem.empty())
@@ -99,18 +104,27 @@ void MechanismBuilder::addMarkers() {
     };
     size_t index = 0;
     for (const PartStatement& part : m_dataset.parts) setAxes(part, m_mechanism.m_parts[index++]);
+    for (const PointMassStatement& mass : m_dataset.pointMasses) setAxes(mass, m_mechanism.m_parts[index++]);
     for (const FlexBodyStatement& body : m_dataset.flexBodies) setAxes(body, m_mechanism.m_parts[index++]);
 }
 
+// Expressions cannot name floating markers, whose place is decided by what names them.
+const Marker* MechanismBuilder::findFixedMarker(int id) const {
+    const auto found = m_mechanism.m_markers.find(id);
+    const bool usable = found != m_mechanism.m_markers.end() && m_floatingMarkers.count(id) == 0;
+    return usable ? &found->second : nullptr;
+}
+
+Transform MechanismBuilder::getGivenPose(int marker) const {
+    if (marker == 0) return Transform();
+    return m_mechanism.m_parts[size_t(m_ownerOfMarker.at(marker))].givenPose * m_markerPoses.at(marker);
+}
+
 void MechanismBuilder::checkAxes() {
-    const auto getGivenOrientation = [this](int id) {
-        const MechanismPart& part = m_mechanism.m_parts[m_ownerOfMarker.at(id)];
-        return part.givenPose.R() * m_markerPoses.at(id).R();
-    };
     const auto check = [&](const auto& statements, const char* keyword) {
         for (const auto& s : statements) {
             const std::string problem =
-                findMisalignment(s.type, getGivenOrientation(s.i), getGivenOrientation(s.j), s.i, s.j);
+                findMisalignment(s.type, getGivenPose(s.i).R(), getGivenPose(s.j).R(), s.i, s.j);
             if (!problem.empty())
                 report(Severity::Error, s.where,
                        fmt::format("{}/{} {}: {}", keyword, s.id, getAdamsName(s.type), problem));
@@ -120,48 +134,49 @@ void MechanismBuilder::checkAxes() {
     check(m_dataset.joints, "JOINT");
 }
 
+//---------------------------------------------------------------------------------------------- joints
+void MechanismBuilder::addConnection(const std::string& name, int i, int j, const Joint& joint) {
+    m_mechanism.m_connectionIndex[name] = int(m_mechanism.m_connections.size());
+    m_mechanism.m_connections.push_back({name, i, j, joint});
+    addLoadElement({name, i, j, [joint](const SimTK::State& s) { return joint.calcReactionOnI(s); },
+                    [joint](const SimTK::State& s) { return joint.calcReactionOnJ(s); }, true});
+}
+
 void MechanismBuilder::addConnections() {
-    const auto add = [this](const std::string& name, int i, int j, const Joint& joint) {
-        m_mechanism.m_connectionIndex[name] = int(m_mechanism.m_connections.size());
-        m_mechanism.m_connections.push_back({name, i, j, joint});
-    };
     for (const JprimStatement& s : m_dataset.jprims) {
         const std::string name = fmt::format("JPRIM/{}", s.id);
-        add(name, s.i, s.j,
-            makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name));
+        attempt(name, s.where, [&] {
+            addConnection(
+                name, s.i, s.j,
+                makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name));
+        });
     }
     for (const JointStatement& s : m_dataset.joints) {
         const std::string name = fmt::format("JOINT/{}", s.id);
-        add(name, s.i, s.j,
-            makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name));
+        m_joints[s.id] = &s;
+        attempt(name, s.where, [&] { addConnection(name, s.i, s.j, makeJoint(s, name)); });
     }
 }
 
-//-------------------------------------------------------------------------------------------- requests
-void MechanismBuilder::addRequests() {
-    for (const RequestStatement& statement : m_dataset.requests)
-        if (statement.type != RequestType::Expressions)
-            m_mechanism.m_requests.push_back(makeRequest(statement));
-}
-
-MechanismRequest MechanismBuilder::makeRequest(const RequestStatement& statement) const {
-    MechanismRequest request;
-    request.id = statement.id;
-    request.type = statement.type;
-    request.I = m_mechanism.getMarker(statement.i);
-    request.J = m_mechanism.getMarker(statement.j);
-    request.rm = m_mechanism.getMarker(statement.rm);
-    if (request.type != RequestType::Force) return request;
-    for (size_t k = 0; k < m_mechanism.m_connections.size(); ++k) {
-        const Connection& c = m_mechanism.m_connections[k];
-        if (c.i == statement.i && c.j == statement.j) request.connections.emplace_back(int(k), true);
-        if (c.j == statement.i && c.i == statement.j) request.connections.emplace_back(int(k), false);
+// A SCREW or RACKPIN keeps the travel and angle that the markers are given with: only what is added to them
+// must go together.
+Joint MechanismBuilder::makeJoint(const JointStatement& s, const std::string& name) const {
+    const Marker &I = m_mechanism.getMarker(s.i), &J = m_mechanism.getMarker(s.j);
+    const MarkerPair given(getGivenPose(s.i), getGivenPose(s.j));
+    const SimTK::Rotation& R = given.getRotation();
+    const double length = m_mechanism.m_units.length, travel = given.getPosition()[2];
+    if (s.type == JointType::Screw) {
+        const double pitch = *s.pitch * length, angle = std::atan2(R[1][0], R[0][0]);
+        return Joint::Screw(I, J, pitch, travel - pitch * angle / (2 * SimTK::Pi), name);
     }
-    return request;
+    if (s.type == JointType::Rackpin) {
+        const double diameter = *s.diameter * length, angle = -std::atan2(R[2][1], R[2][0]);
+        return Joint::Rackpin(I, J, diameter, travel - diameter / 2 * angle, name);
+    }
+    return makeConnection(s.type, I, J, name);
 }
 
 std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics) {
-    if (!checkSimulated(dataset, diagnostics)) return std::nullopt;
     return MechanismBuilder(dataset, diagnostics).build();
 }
 

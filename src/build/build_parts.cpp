@@ -7,6 +7,7 @@
 #include "build/frames.h"
 #include "build/mechanism_builder.h"
 #include "build/part_mass.h"
+#include "jprim/build/build_mechanism.h"
 
 namespace jprim {
 
@@ -19,17 +20,20 @@ using SimTK::Vec3;
 
 void MechanismBuilder::addParts() {
     Real lightest = SimTK::Infinity;
-    for (const PartStatement& part : m_dataset.parts)
-        if (part.mass.value_or(0) > 0) lightest = std::min(lightest, *part.mass * m_mechanism.m_units.mass);
+    const auto weigh = [&](const std::optional<double>& mass) {
+        if (mass.value_or(0) > 0) lightest = std::min(lightest, *mass * m_mechanism.m_units.mass);
+    };
+    for (const PartStatement& part : m_dataset.parts) weigh(part.mass);
+    for (const PointMassStatement& mass : m_dataset.pointMasses) weigh(mass.mass);
     if (lightest == SimTK::Infinity) lightest = 1;
+    m_lightestMass = lightest;
     for (const PartStatement& part : m_dataset.parts) addPart(part, lightest);
 }
 
-// Largest distance of a marker from the mass centre.
-Real MechanismBuilder::calcReach(const PartStatement& statement) const {
-    const Vec3 center = getMarkerPose(statement.cm).p();
+// Largest distance of a part's marker from its mass centre.
+Real MechanismBuilder::calcReach(int owner, const Vec3& center) const {
     Real reach = 0;
-    const auto markers = m_markersOfOwner.find(m_partIndex.at(statement.id));
+    const auto markers = m_markersOfOwner.find(owner);
     if (markers != m_markersOfOwner.end())
         for (const int id : markers->second)
             reach = std::max(reach, (m_markerPoses.at(id).p() - center).norm());
@@ -52,7 +56,7 @@ void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass
         part.bcs = part.cm = part.vm = part.wm = Marker(ground, part.givenPose);
     } else {
         const Transform X_PC = getMarkerPose(statement.cm);  // P: the BCS
-        const Real reach = calcReach(statement);
+        const Real reach = calcReach(m_partIndex.at(statement.id), X_PC.p());
         if (reach > 0) part.size = reach;
         const Body::Rigid rigid = makeBody(statement, X_PC, part.size, lightestMass);
         MobilizedBody::Free body(ground, rigid);
@@ -61,6 +65,42 @@ void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass
         body.setDefaultTransform(part.calcGivenBodyPose());
         part.cm = Marker(body, Transform(X_PC.R()));
     }
+    m_mechanism.m_parts.push_back(part);
+}
+
+void MechanismBuilder::addPointMasses() {
+    for (const PointMassStatement& mass : m_dataset.pointMasses) addPointMass(mass);
+}
+
+// A body that keeps the axes of its BCS; its coordinates are along them.
+void MechanismBuilder::addPointMass(const PointMassStatement& statement) {
+    MechanismPart part;
+    part.name = fmt::format("POINT_MASS/{}", statement.id);
+    part.turns = false;
+    setRigidCoordinates(statement, statement.where, part);
+    const Transform X_PC = getMarkerPose(statement.cm);
+    const Real reach = calcReach(m_pointMassIndex.at(statement.id), X_PC.p());
+    if (reach > 0) part.size = reach;
+
+    Real mass = statement.mass.value_or(0) * m_mechanism.m_units.mass;
+    if (mass < 0) {
+        report(Severity::Error, statement.where,
+               fmt::format("{}: MASS={} is negative", part.name, *statement.mass));
+        mass = 0;
+    }
+    if (mass == 0) {
+        mass = MasslessFraction * m_lightestMass;
+        report(Severity::Warning, statement.where,
+               fmt::format("{} has no mass; MASS={:.3g} is used so that the equations can be solved",
+                           part.name, mass / m_mechanism.m_units.mass));
+    }
+    const SimTK::MassProperties point(mass, Vec3(0), SimTK::Inertia(0));
+    MobilizedBody::Translation body(m_mechanism.m_bodies->matter.updGround(), Transform(part.givenPose.R()),
+                                    Body::Rigid(point), Transform());
+    part.body = body;
+    part.bcs = Marker(body, Transform(-X_PC.p()));
+    part.cm = Marker(body, Transform(X_PC.R()));
+    body.setDefaultTranslation(~part.givenPose.R() * part.calcGivenBodyPose().p());
     m_mechanism.m_parts.push_back(part);
 }
 

@@ -105,7 +105,9 @@ Joint makeConnection(JointType type, const Marker& I, const Marker& J, const std
         case JointType::Planar: return Joint::Planar(I, J, name);
         case JointType::Fixed: return Joint::Fixed(I, J, name);
         case JointType::Universal: return Joint::Universal(I, J, name);
-        default: break;  // checkSimulated() has refused the others
+        case JointType::Convel: return Joint::Convel(I, J, name);
+        case JointType::Hooke:
+        default: break;  // SCREW and RACKPIN need more than their markers
     }
     return Joint::Hooke(I, J, name);
 }

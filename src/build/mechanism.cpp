@@ -14,6 +14,7 @@ using SimTK::State;
 Mechanism::Mechanism() : m_bodies(std::make_unique<Bodies>()) {}
 
 bool Mechanism::isConservative() const {
+    if (m_hasPower) return false;
     for (const MechanismPart& part : m_parts)
         if (part.flexible)
             for (const Real ratio : part.flexible->getDampingRatios())
@@ -50,17 +51,26 @@ Real Mechanism::calcJOINT(const State& state, int id, int jflag, int comp, int r
     return calcReaction(state, fmt::format("JOINT/{}", id), jflag, comp, rm);
 }
 
-// Simbody numbers the equations of its constraints in the order they were added.
-std::vector<Mechanism::Equation> Mechanism::findEquations(const State& state) const {
-    std::vector<Equation> equations;
-    for (const Connection& connection : m_connections)
-        for (const Primitive& primitive : connection.joint.getPrimitives()) {
-            if (primitive.isDisabled(state)) continue;
-            int mp = 0, mv = 0, ma = 0;
-            primitive.getNumConstraintEquationsInUse(state, mp, mv, ma);
-            for (int k = 0; k < mp; ++k) equations.push_back({connection.name, primitive.isTranslational()});
-        }
-    return equations;
+// Within each level Simbody numbers the equations in the order in which constraints were added.
+std::vector<Mechanism::EquationName> Mechanism::findEquations(const State& state) const {
+    std::array<std::vector<EquationName>, 3> levels;
+    const auto add = [&](const std::string& element, const SimTK::Constraint& constraint, bool isLength) {
+        if (constraint.isDisabled(state)) return;
+        std::array<int, 3> counts{};
+        constraint.getNumConstraintEquationsInUse(state, counts[0], counts[1], counts[2]);
+        for (size_t level = 0; level < levels.size(); ++level)
+            levels[level].insert(levels[level].end(), size_t(counts[level]), {element, isLength, level == 0});
+    };
+    for (const Connection& connection : m_connections) {
+        for (const Primitive& primitive : connection.joint.getPrimitives())
+            add(connection.name, primitive, primitive.isTranslational());
+        for (const GeneralConstraint& equation : connection.joint.getEquations())
+            add(connection.name, equation, connection.joint.getPrimitives().empty());
+    }
+    for (const Equation& equation : m_equations) add(equation.name, equation.constraint, equation.isLength);
+    std::vector<EquationName> all;
+    for (const auto& level : levels) all.insert(all.end(), level.begin(), level.end());
+    return all;
 }
 
 }  // namespace jprim

@@ -3,17 +3,21 @@
 #define JPRIM_SRC_BUILD_MECHANISM_BUILDER_H_
 
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "build/function_writer.h"
 #include "jprim/base/diagnostic.h"
+#include "jprim/base/error.h"
 #include "jprim/build/mechanism.h"
+#include "jprim/joint/motion.h"
 
 namespace jprim {
 
 /// One pass over the dataset in the order in which things need each other: units, modes, marker poses,
-/// gravity, parts, markers, joints, requests.
+/// gravity, parts, markers, functions, constraints, forces, requests.
 class MechanismBuilder {
 public:
     MechanismBuilder(const Dataset& dataset, Diagnostics& diagnostics)
@@ -29,13 +33,20 @@ public:
         chooseLengthUnit();
         addGravity();
         addParts();
+        addPointMasses();
         addFlexBodies();
         if (m_failed) return std::nullopt;
         addMarkers();
         checkAxes();
         if (m_failed) return std::nullopt;
+        prepareFunctions();
         addConnections();
+        addEquations();
+        addForces();
+        checkVariables();
         addRequests();
+        addSensors();
+        if (m_failed) return std::nullopt;
         return std::move(m_mechanism);
     }
 
@@ -65,14 +76,62 @@ private:
     void addMarkers();
     Marker makeMarker(const MarkerStatement& statement) const;
     void checkAxes();
+    void addPointMasses();
+    void addPointMass(const PointMassStatement& statement);
+    void prepareFunctions();
     void addConnections();
+    void addConnection(const std::string& name, int i, int j, const Joint& joint);
+    Joint makeJoint(const JointStatement& statement, const std::string& name) const;
+    void addEquations();
+    void addEquation(const std::string& name, GeneralConstraint constraint, const Expression& f);
+    void addGcon(const GconStatement& statement);
+    void addMotion(const MotionStatement& statement);
+    void addCoupler(const CouplerStatement& statement);
+    void addInitialCoordinates(const JointStatement& statement);
+    void addInitialCoordinate(const std::string& name, int i, int j, Coordinate coordinate,
+                              const std::optional<double>& value, const std::optional<double>& rate);
+    void addForces();
+    void addForce(const std::string& name, int i, int j, const ForceLaw& law);
+    void addSforce(const SforceStatement& statement);
+    void addVectorForce(const VectorForceStatement& statement);
+    void addSpringdamper(const SpringdamperStatement& statement);
+    void addBushing(const BushingStatement& statement);
+    void checkVariables();
+    void addLoadElement(const LoadElement& element);
+    ExpressionMeasure makeMeasure(const ExpressionText& function);
     void addRequests();
-    MechanismRequest makeRequest(const RequestStatement& statement) const;
+    void addSensors();
 
+    /// Builds an element; a mistake in it is reported at its function or statement.
+    template <class Build>
+    void attempt(const std::string& element, const SourcePosition& where, const Build& build) {
+        try {
+            build();
+        } catch (const FunctionError& error) {
+            report(Severity::Error, error.where, element + ": " + error.what());
+        } catch (const Error& error) {
+            report(Severity::Error, where, error.what());
+        }
+    }
+
+    /// An expression of functions of the dataset. @throws FunctionError
+    template <class Compose>
+    Expression write(const Compose& compose) {
+        const MarkerFrames::FindMarker find = [this](int id) { return findFixedMarker(id); };
+        FunctionWriter writer(find, m_functions);
+        return writer.finish(compose(writer));
+    }
+
+    const Marker* findFixedMarker(int id) const;
+    /// Unit of a force, or of a moment.
+    SimTK::Real getForceUnit(bool isMoment) const {
+        return isMoment ? m_mechanism.m_units.getMoment() : m_mechanism.m_units.force;
+    }
+    SimTK::Transform getGivenPose(int marker) const;
     SimTK::Transform getMarkerPose(int id) const {
         return id == 0 ? SimTK::Transform() : m_markerPoses.at(id);
     }
-    SimTK::Real calcReach(const PartStatement& statement) const;
+    SimTK::Real calcReach(int owner, const SimTK::Vec3& center) const;
 
     const Dataset& m_dataset;
     Diagnostics& m_diagnostics;
@@ -80,9 +139,13 @@ private:
     Mechanism m_mechanism;
     std::unordered_map<int, SimTK::Transform> m_markerPoses;  // in the part's BCS, undeformed
     // Parts are known by their place in Mechanism::getParts(), also before they are there.
-    std::unordered_map<int, int> m_partIndex, m_flexBodyIndex;
+    std::unordered_map<int, int> m_partIndex, m_pointMassIndex, m_flexBodyIndex;
     std::unordered_map<int, int> m_ownerOfMarker;
     std::unordered_map<int, std::vector<int>> m_markersOfOwner;
+    std::unordered_map<int, const JointStatement*> m_joints;
+    SimTK::Real m_lightestMass = 1;
+    std::set<int> m_floatingMarkers;
+    FunctionContext m_functions;
     std::unordered_map<int, ModalBasis> m_modes;  // by FLEX_BODY; in SI until it is added
 };
 

@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "jprim/base/error.h"
-#include "jprim/marker/angles.h"
+#include "simulation/assembly_conditions.h"
 #include "simulation/initial_velocities.h"
 
 namespace jprim {
@@ -29,99 +28,60 @@ namespace {
 // Simbody's projection after assembly; well below AssemblyTolerance.
 constexpr Real ProjectionTolerance = 1e-11;
 
-/// PART/EXACT as something the Assembler must satisfy: the named ones of the coordinates X, Y, Z [sizes of
-/// the part] and PSI, THETA, PHI [rad] of the part's BCS keep their given values.
-///
-/// 3-1-3 angles are singular where z stands upright, as in every plane mechanism. There PSI and PHI are both
-/// the turn about z, and THETA is held by not tilting z.
-class ExactCoordinates : public AssemblyCondition {
-public:
-    explicit ExactCoordinates(const MechanismPart& part)
-        : AssemblyCondition(part.name + " EXACT"), m_part(part) {}
-
-    int calcErrors(const State& state, Vector& errors) const override {
-        const Transform X_GP = m_part.bcs.findPoseInGround(state);
-        std::vector<Real> held;
-        for (int k = 0; k < 3; ++k)
-            if (m_part.exact[k]) held.push_back((X_GP.p()[k] - m_part.givenPose.p()[k]) / m_part.size);
-        addTurns(X_GP.R(), held);
-        errors = Vector(int(held.size()), held.data());
-        return 0;
-    }
-
-private:
-    void addTurns(const Rotation& R_GP, std::vector<Real>& held) const {
-        constexpr Real Upright = 1e-6;
-        const Vec3 given = calcAngles313(m_part.givenPose.R());
-        const auto [psi, theta, phi] = std::tuple(m_part.exact[3], m_part.exact[4], m_part.exact[5]);
-        const Rotation turn = ~m_part.givenPose.R() * R_GP;
-        if (psi && theta && phi) {
-            const SimTK::Quaternion q = turn.convertRotationToQuaternion();
-            held.insert(held.end(), {2 * q[1], 2 * q[2], 2 * q[3]});
-        } else if (std::sin(given[1]) < Upright) {
-            if (psi || phi) held.push_back(std::atan2(turn[1][0] - turn[0][1], turn[0][0] + turn[1][1]));
-            if (theta) held.insert(held.end(), {turn[0][2], turn[1][2]});
-        } else {
-            const Vec3 change = calcAngles313(R_GP) - given;
-            for (int k = 0; k < 3; ++k)
-                if (m_part.exact[3 + k]) held.push_back(std::remainder(change[k], 2 * SimTK::Pi));
-        }
-    }
-
-    const MechanismPart& m_part;
-};
-
-// The parts with EXACT coordinates, for messages; empty if there is none.
-std::string nameExactParts(const Mechanism& mechanism) {
-    std::string names;
-    for (const MechanismPart& part : mechanism.getParts()) {
-        const bool isExact = std::find(part.exact.begin(), part.exact.end(), true) != part.exact.end();
-        if (isExact) names += (names.empty() ? "" : ", ") + part.name;
-    }
-    return names;
-}
-
 enum class Exactness { Required, Wanted };
 enum class Bodies { Rigid, Flexible };
 
-// Required, EXACT is a condition like a constraint's. Some of these may repeat what constraints already
-// demand, as in a plane mechanism, and Simbody's optimizer takes no more equations than unknowns: then EXACT
-// is Wanted far more than closeness, and checked afterwards.
-void holdExactCoordinates(const Mechanism& mechanism, Exactness exactness, Assembler& assembler) {
+/// What an assembly aims at: poses of the parts, in their order, and whether what the dataset holds is held.
+struct Aim {
+    std::vector<Transform> poses;  // X_GB
+    bool holdGiven = true;
+};
+
+// Required, EXACT and given coordinates are conditions like constraints. Some of these may repeat what
+// constraints already demand, as in a plane mechanism, and Simbody's optimizer takes no more equations than
+// unknowns: then they are Wanted far more than closeness, and checked afterwards.
+void holdGivenCoordinates(const Mechanism& mechanism, Exactness exactness, Assembler& assembler) {
     constexpr Real MuchMore = 1e8;
+    const auto adopt = [&](AssemblyCondition* condition) {
+        if (exactness == Exactness::Required)
+            assembler.adoptAssemblyError(condition);
+        else
+            assembler.adoptAssemblyGoal(condition, MuchMore);
+    };
     for (const MechanismPart& part : mechanism.getParts()) {
         const auto held = std::count(part.exact.begin(), part.exact.end(), true);
-        if (held == 0) continue;
         if (held == 6)
             assembler.lockMobilizer(part.body.getMobilizedBodyIndex());
-        else if (exactness == Exactness::Required)
-            assembler.adoptAssemblyError(new ExactCoordinates(part));
-        else
-            assembler.adoptAssemblyGoal(new ExactCoordinates(part), MuchMore);
+        else if (held > 0)
+            adopt(new ExactCoordinates(part));
     }
+    const std::vector<InitialCoordinate>& given = mechanism.getInitialCoordinates();
+    const auto hasValue = [](const InitialCoordinate& c) { return bool(c.value); };
+    if (std::any_of(given.begin(), given.end(), hasValue)) adopt(new GivenCoordinates(given));
 }
 
-bool keepsExactCoordinates(const Mechanism& mechanism, const State& state) {
-    constexpr Real Kept = 1e-6;  // sizes of the part, radians
+bool keepsGivenCoordinates(const Mechanism& mechanism, const State& state) {
+    constexpr Real Kept = 1e-6;  // sizes of the part, length units, radians
     Vector errors;
     for (const MechanismPart& part : mechanism.getParts()) {
         ExactCoordinates(part).calcErrors(state, errors);
         if (errors.size() > 0 && errors.normInf() > Kept) return false;
     }
-    return true;
+    return findCoordinateError(mechanism, state).first <= Kept;
 }
 
-// Three points of each part, its size apart, are to stay near where the dataset puts them.
-void stayCloseToGivenPoses(const Mechanism& mechanism, const State& state, Assembler& assembler) {
+// Three points of each part, its size apart, are to stay near their places at the pose aimed at.
+void stayCloseTo(const Mechanism& mechanism, const std::vector<Transform>& poses, const State& state,
+                 Assembler& assembler) {
     auto* markers = new Markers();
     assembler.adoptAssemblyGoal(markers);
     SimTK::Array_<Vec3> targets;
-    for (const MechanismPart& part : mechanism.getParts()) {
+    for (size_t k = 0; k < poses.size(); ++k) {
+        const MechanismPart& part = mechanism.getParts()[k];
         if (part.ground) continue;
-        const Transform X_GB = part.calcGivenBodyPose();
         for (const Vec3& point : {Vec3(0), Vec3(part.size, 0, 0), Vec3(0, part.size, 0)}) {
             markers->addMarker(part.body.getMobilizedBodyIndex(), point, 1 / (part.size * part.size));
-            targets.push_back(X_GB * point);
+            targets.push_back(poses[k] * point);
         }
     }
     assembler.initialize(state);
@@ -141,46 +101,49 @@ bool hasFlexibleBodies(const Mechanism& mechanism) {
 }
 
 // True if it succeeded; the state is as near as it came.
-bool tryToAssemble(const Mechanism& mechanism, Bodies bodies, Exactness exactness, State& state) {
+bool tryToAssemble(const Mechanism& mechanism, const Aim& aim, Bodies bodies, Exactness exactness,
+                   State& state) {
     Assembler assembler(mechanism.getSystem());
     assembler.setErrorTolerance(AssemblyTolerance);
     if (bodies == Bodies::Rigid) lockModes(mechanism, assembler);
-    holdExactCoordinates(mechanism, exactness, assembler);
-    stayCloseToGivenPoses(mechanism, state, assembler);
+    if (aim.holdGiven) holdGivenCoordinates(mechanism, exactness, assembler);
+    stayCloseTo(mechanism, aim.poses, state, assembler);
     bool succeeded = true;
     try {
         assembler.assemble();
+    } catch (const Error&) {
+        throw;  // an element says what is wrong with it
     } catch (const std::exception&) {
         succeeded = false;
     }
     assembler.updateFromInternalState(state);
     mechanism.getSystem().realize(state, Stage::Position);
-    return succeeded && keepsExactCoordinates(mechanism, state);
+    return succeeded && (!aim.holdGiven || keepsGivenCoordinates(mechanism, state));
 }
 
-bool tryToAssemble(const Mechanism& mechanism, Bodies bodies, bool hasExact, State& state) {
+bool tryToAssemble(const Mechanism& mechanism, const Aim& aim, Bodies bodies, State& state) {
     const State given = state;
-    if (tryToAssemble(mechanism, bodies, Exactness::Required, state)) return true;
-    if (!hasExact) return false;
+    if (tryToAssemble(mechanism, aim, bodies, Exactness::Required, state)) return true;
+    if (!aim.holdGiven || nameHeld(mechanism).empty()) return false;
     state = given;
-    return tryToAssemble(mechanism, bodies, Exactness::Wanted, state);
+    return tryToAssemble(mechanism, aim, bodies, Exactness::Wanted, state);
 }
 
-void assemblePositions(const Mechanism& mechanism, State& state) {
+void assemblePositions(const Mechanism& mechanism, const Aim& aim, State& state) {
     const State given = state;
-    const std::string exact = nameExactParts(mechanism);
-    if (tryToAssemble(mechanism, Bodies::Rigid, !exact.empty(), state)) return;
+    if (tryToAssemble(mechanism, aim, Bodies::Rigid, state)) return;
     if (hasFlexibleBodies(mechanism)) {
         state = given;
-        if (tryToAssemble(mechanism, Bodies::Flexible, !exact.empty(), state)) return;
+        if (tryToAssemble(mechanism, aim, Bodies::Flexible, state)) return;
     }
     const Violation left = calcViolation(mechanism, state);
+    const std::string held = aim.holdGiven ? nameHeld(mechanism) : "";
     throw Error(
         left.element.empty() ? "assembly" : left.element,
         fmt::format("the parts cannot be assembled from their given positions; an error of {:.3g} length "
                     "units of the dataset and {:.3g} rad is left{}",
                     left.length / mechanism.getUnits().length, left.angle,
-                    exact.empty() ? "" : fmt::format(", with coordinates of {} held by EXACT", exact)));
+                    held.empty() ? "" : fmt::format(", while {} are held", held)));
 }
 
 std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& state) {
@@ -201,10 +164,10 @@ std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& s
 }  // namespace
 
 Violation calcViolation(const Mechanism& mechanism, const State& state) {
-    const std::vector<Mechanism::Equation> equations = mechanism.findEquations(state);
+    const std::vector<Mechanism::EquationName> equations = mechanism.findEquations(state);
     const Vector& errors = state.getQErr();
     Violation violation;
-    for (size_t k = 0; k < equations.size(); ++k) {
+    for (size_t k = 0; k < equations.size() && equations[k].isHolonomic; ++k) {
         const Real error = std::abs(errors[int(k)]);
         if (error > std::max(violation.length, violation.angle)) violation.element = equations[k].element;
         Real& worst = equations[k].isLength ? violation.length : violation.angle;
@@ -213,24 +176,57 @@ Violation calcViolation(const Mechanism& mechanism, const State& state) {
     return violation;
 }
 
+namespace {
+
+bool isViolated(const Violation& violation) {
+    return std::max(violation.length, violation.angle) > AssemblyTolerance;
+}
+
+void assemblePositions(const Mechanism& mechanism, const Aim& aim, AssembledState& result) {
+    const SimTK::MultibodySystem& system = mechanism.getSystem();
+    system.realize(result.state, Stage::Position);
+    result.before = calcViolation(mechanism, result.state);
+    const bool misplaced =
+        aim.holdGiven && findCoordinateError(mechanism, result.state).first > AssemblyTolerance;
+    if (!isViolated(result.before) && !misplaced) return;
+    assemblePositions(mechanism, aim, result.state);
+    system.realize(result.state, Stage::Position);
+}
+
+void finish(const Mechanism& mechanism, AssembledState& result) {
+    const SimTK::MultibodySystem& system = mechanism.getSystem();
+    system.realize(result.state, Stage::Velocity);
+    system.project(result.state, ProjectionTolerance);
+    system.realize(result.state, Stage::Velocity);
+    result.after = calcViolation(mechanism, result.state);
+}
+
+}  // namespace
+
 AssembledState assemble(const Mechanism& mechanism) {
     const SimTK::MultibodySystem& system = mechanism.getSystem();
     AssembledState result;
-    State& state = result.state;
-    state = system.realizeTopology();
-    system.realizeModel(state);
-    system.realize(state, Stage::Position);
-    result.before = calcViolation(mechanism, state);
-    if (std::max(result.before.length, result.before.angle) > AssemblyTolerance) {
-        assemblePositions(mechanism, state);
-        system.realize(state, Stage::Position);
-    }
-    state.updU() = calcInitialVelocities(mechanism, state);
-    system.realize(state, Stage::Velocity);
-    system.project(state, ProjectionTolerance);
-    system.realize(state, Stage::Velocity);
-    result.after = calcViolation(mechanism, state);
-    result.moved = findMovedParts(mechanism, state);
+    result.state = system.realizeTopology();
+    system.realizeModel(result.state);
+    Aim aim;
+    for (const MechanismPart& part : mechanism.getParts()) aim.poses.push_back(part.calcGivenBodyPose());
+    assemblePositions(mechanism, aim, result);
+    result.state.updU() = calcInitialVelocities(mechanism, result.state);
+    finish(mechanism, result);
+    result.moved = findMovedParts(mechanism, result.state);
+    return result;
+}
+
+AssembledState reassemble(const Mechanism& mechanism, const State& current) {
+    AssembledState result;
+    result.state = current;
+    Aim aim;
+    aim.holdGiven = false;
+    mechanism.getSystem().realize(result.state, Stage::Position);
+    for (const MechanismPart& part : mechanism.getParts())
+        aim.poses.push_back(part.body.getBodyTransform(result.state));
+    assemblePositions(mechanism, aim, result);
+    finish(mechanism, result);
     return result;
 }
 

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speeds u with G u = 0 that minimize first |C u - c|, then |u|, where the rows of C pick the given
-// components c. Every part is a free body with u = [w_GB, v_GC]: its angular velocity and the velocity of its
-// mass centre, both in Ground. To compare the two, angular velocities are multiplied by the part's size. Speeds
-// of modes have zeros in S: they are at rest.
+// Speeds u with G u = b that minimize first |C u - c|, then |u|, where the rows of C pick the given
+// components c and b is what time-dependent constraints demand. Every part is a free body with
+// u = [w_GB, v_GC], its angular velocity and the velocity of its mass centre. To compare the two, angular
+// velocities are multiplied by the part's size. Speeds of modes have zeros in S: they are at rest.
 //
-//     u = S y,  Z spans the null space of G S,  y = Z x,  x = least-norm least-squares of (C S Z) x = c
+//     u = S y,  (G S) p = b,  Z spans the null space of G S,  y = p + Z x,
+//     x = least-norm least-squares of (C S Z) x = c - C S p
 #include "simulation/initial_velocities.h"
 
 #include <Eigen/QR>
+
+#include "marker/marker_expression.h"
 
 namespace jprim {
 
 using SimTK::Matrix;
 using SimTK::Real;
+using SimTK::SpatialVec;
 using SimTK::State;
 using SimTK::Vec3;
 using SimTK::Vector;
@@ -28,36 +32,96 @@ struct GivenVelocities {
     Eigen::VectorXd scale;  // the diagonal of S
     Eigen::MatrixXd C;
     Eigen::VectorXd c;
+    bool isOrthonormal = true;  // the rows of C S
 };
 
-GivenVelocities collect(const Mechanism& mechanism, const State& state) {
-    GivenVelocities given;
-    given.scale = Eigen::VectorXd::Zero(state.getNU());
-    std::vector<Eigen::VectorXd> rows;
-    std::vector<Real> values;
-    const auto add = [&](const std::optional<Real>& value, const Vec3& direction, int firstU, Real weight) {
-        if (!value) return;
-        Eigen::VectorXd row = Eigen::VectorXd::Zero(state.getNU());
-        for (int k = 0; k < 3; ++k) row[firstU + k] = weight * direction[k];
-        rows.push_back(row);
-        values.push_back(weight * *value);
-    };
-    for (const MechanismPart& part : mechanism.getParts()) {
-        if (part.ground) continue;
-        const int firstU = part.body.getFirstUIndex(state);
-        given.scale.segment<3>(firstU).setConstant(1 / part.size);
-        given.scale.segment<3>(firstU + 3).setOnes();
-        const SimTK::Rotation R_GV = part.vm.findPoseInGround(state).R();
-        const SimTK::Rotation R_GW = part.wm.findPoseInGround(state).R();
+class Collector {
+public:
+    Collector(const Mechanism& mechanism, const State& state)
+        : m_matter(mechanism.getMatter()), m_state(state) {
+        m_given.scale = Eigen::VectorXd::Zero(state.getNU());
+        for (const MechanismPart& part : mechanism.getParts())
+            if (!part.ground) addPart(part);
+        for (const InitialCoordinate& given : mechanism.getInitialCoordinates())
+            if (given.rate) addRate(given.coordinate.getImplementation(), *given.rate);
+    }
+
+    GivenVelocities finish() {
+        m_given.C.resize(Eigen::Index(m_rows.size()), m_state.getNU());
+        for (size_t i = 0; i < m_rows.size(); ++i) m_given.C.row(Eigen::Index(i)) = m_rows[i];
+        m_given.c = Eigen::Map<Eigen::VectorXd>(m_values.data(), Eigen::Index(m_values.size()));
+        return std::move(m_given);
+    }
+
+private:
+    void addPart(const MechanismPart& part) {
+        const int firstU = part.body.getFirstUIndex(m_state), turns = part.turns ? 3 : 0;
+        m_given.scale.segment(firstU, turns).setConstant(1 / part.size);
+        m_given.scale.segment<3>(firstU + turns).setOnes();
+        const SimTK::Rotation R_GV = part.vm.findPoseInGround(m_state).R();
+        const SimTK::Rotation R_GW = part.wm.findPoseInGround(m_state).R();
         for (int k = 0; k < 3; ++k) {
-            add(part.w[k], Vec3(R_GW(k)), firstU, part.size);
-            add(part.v[k], Vec3(R_GV(k)), firstU + 3, 1);
+            if (part.w[k] && part.turns)
+                addRow(part, SpatialVec(part.size * Vec3(R_GW(k)), Vec3(0)), part.size * *part.w[k]);
+            if (part.v[k]) addRow(part, SpatialVec(Vec3(0), Vec3(R_GV(k))), *part.v[k]);
         }
     }
-    given.C.resize(Eigen::Index(rows.size()), state.getNU());
-    for (size_t i = 0; i < rows.size(); ++i) given.C.row(Eigen::Index(i)) = rows[i];
-    given.c = Eigen::Map<Eigen::VectorXd>(values.data(), Eigen::Index(values.size()));
-    return given;
+
+    // The row that multiplies u to direction . V of the part's body.
+    void addRow(const MechanismPart& part, const SpatialVec& direction, Real value) {
+        SimTK::Vector_<SpatialVec> directions(m_matter.getNumBodies(), SpatialVec(Vec3(0), Vec3(0)));
+        directions[part.body.getMobilizedBodyIndex()] = direction;
+        addRow(directions, Vector(m_state.getNU(), Real(0)), value);
+    }
+
+    void addRow(const SimTK::Vector_<SpatialVec>& directions, const Vector& onSpeeds, Real value) {
+        Vector row;
+        m_matter.multiplyBySystemJacobianTranspose(m_state, directions, row);
+        row += onSpeeds;
+        m_rows.emplace_back(Eigen::Map<const Eigen::VectorXd>(&row[0], row.size()));
+        m_values.push_back(value);
+    }
+
+    // The rate of a coordinate: the sum of direction . V over its markers.
+    void addRate(const MarkerExpression& q, Real rate) {
+        Evaluation evaluation(q.program);
+        q.setInputs(m_state, evaluation);
+        evaluation.calcValue();
+        evaluation.calcGradient();
+        std::vector<MarkerMotion> motions(q.markers.size());
+        for (size_t k = 0; k < motions.size(); ++k) motions[k].X = q.markers[k].findPoseInGround(m_state);
+        SimTK::Vector_<SpatialVec> directions(m_matter.getNumBodies(), SpatialVec(Vec3(0), Vec3(0)));
+        Vector onSpeeds(m_state.getNU(), Real(0));
+        for (size_t k = 0; k < motions.size(); ++k)
+            q.markers[k].applyLoad(m_state, q.getDirection(evaluation, motions.data(), int(k)), directions,
+                                   onSpeeds);
+        addRow(directions, onSpeeds, rate);
+        m_given.isOrthonormal = false;
+    }
+
+    const SimTK::SimbodyMatterSubsystem& m_matter;
+    const State& m_state;
+    GivenVelocities m_given;
+    std::vector<Eigen::VectorXd> m_rows;
+    std::vector<Real> m_values;
+};
+
+// G u - b, of the equations on velocities.
+Eigen::VectorXd calcErrors(const Mechanism& mechanism, State& state, const Eigen::VectorXd& u) {
+    for (int i = 0; i < state.getNU(); ++i) state.updU()[i] = u[i];
+    mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
+    const Vector& errors = state.getUErr();
+    Eigen::VectorXd result(errors.size());
+    for (int k = 0; k < errors.size(); ++k) result[k] = errors[k];
+    return result;
+}
+
+// Equations on accelerations come last in Simbody's G and are left out.
+Eigen::MatrixXd calcG(const Mechanism& mechanism, const State& state, Eigen::Index numEquations) {
+    if (numEquations == 0) return Eigen::MatrixXd::Zero(0, state.getNU());
+    Matrix G;
+    mechanism.getMatter().calcG(state, G);
+    return Eigen::Map<const Eigen::MatrixXd>(&G(0, 0), G.nrow(), G.ncol()).topRows(numEquations);
 }
 
 Eigen::MatrixXd calcNullSpace(const Eigen::MatrixXd& A) {
@@ -67,30 +131,41 @@ Eigen::MatrixXd calcNullSpace(const Eigen::MatrixXd& A) {
     return Q.rightCols(A.cols() - qr.rank());
 }
 
+Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(RankTolerance);
+    return decomposition.compute(A).solve(b);
+}
+
+// y, see above.
+Eigen::VectorXd solve(const Eigen::MatrixXd& GS, const Eigen::VectorXd& b, const GivenVelocities& given) {
+    const Eigen::MatrixXd CS = given.C * given.scale.asDiagonal();
+    Eigen::VectorXd p = Eigen::VectorXd::Zero(GS.cols());
+    if (!b.isZero(0)) p = solveLeastNorm(GS, b);
+    const Eigen::MatrixXd Z = calcNullSpace(GS);
+    const Eigen::MatrixXd CSZ = CS * Z;
+    if (Z.cols() == 0 || CSZ.norm() < RankTolerance) return p;
+    return p + Z * CSZ.completeOrthogonalDecomposition().solve(given.c - CS * p);
+}
+
 }  // namespace
 
-Vector calcInitialVelocities(const Mechanism& mechanism, const State& state) {
-    const GivenVelocities given = collect(mechanism, state);
-    Vector result(state.getNU(), Real(0));
-    if (given.c.size() == 0 || given.c.isZero(0)) return result;
-
-    Matrix G;
-    mechanism.getMatter().calcG(state, G);
-    const Eigen::MatrixXd CS = given.C * given.scale.asDiagonal();
-    // The rows of C S are orthonormal: its pseudo-inverse is its transpose.
-    Eigen::VectorXd y = CS.transpose() * given.c;
-    if (G.nrow() > 0) {
-        const Eigen::MatrixXd GS =
-            Eigen::Map<const Eigen::MatrixXd>(&G(0, 0), G.nrow(), G.ncol()) * given.scale.asDiagonal();
-        if ((GS * y).norm() > Admissible * y.norm()) {
-            const Eigen::MatrixXd Z = calcNullSpace(GS);
-            const Eigen::MatrixXd CSZ = CS * Z;
-            if (Z.cols() == 0 || CSZ.norm() < RankTolerance) return result;
-            y = Z * CSZ.completeOrthogonalDecomposition().solve(given.c);
-        }
+Vector calcInitialVelocities(const Mechanism& mechanism, const State& positions) {
+    State state = positions;
+    mechanism.getSystem().realize(state, SimTK::Stage::Position);  // a copy has forgotten that it was
+    const GivenVelocities given = Collector(mechanism, state).finish();
+    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(state.getNU());
+    const Eigen::VectorXd b = -calcErrors(mechanism, state, rest);
+    Eigen::VectorXd u = rest;
+    if (given.isOrthonormal)  // the pseudo-inverse of C S is its transpose
+        u = given.scale.cwiseAbs2().asDiagonal() * (given.C.transpose() * given.c);
+    const bool isAdmissible =
+        given.isOrthonormal && calcErrors(mechanism, state, u).norm() <= Admissible * u.norm();
+    if (!isAdmissible) {
+        const Eigen::MatrixXd GS = calcG(mechanism, state, b.size()) * given.scale.asDiagonal();
+        u = given.scale.asDiagonal() * solve(GS, b, given);
     }
-    for (int i = 0; i < result.size(); ++i) result[i] = given.scale[i] * y[i];
-    return result;
+    return Vector(int(u.size()), u.data());
 }
 
 }  // namespace jprim

@@ -42,7 +42,7 @@ Recorder::Recorder(const Mechanism& mechanism) : m_mechanism(mechanism) {
     for (Table* table : {&m_results.requests, &m_results.reactions, &m_results.parts})
         addGroup(*table, "", {{"time", second}}, [](const State& s, double* out) { *out = s.getTime(); });
     for (const MechanismRequest& request : m_mechanism.getRequests()) addRequest(request);
-    for (const Connection& connection : m_mechanism.getConnections()) addConnection(connection);
+    for (const LoadElement& element : m_mechanism.getLoadElements()) addReactions(element);
     for (const MechanismPart& part : m_mechanism.getParts()) {
         if (part.ground) continue;
         addPart(part);
@@ -74,26 +74,23 @@ void Recorder::record(const State& state) {
 //-------------------------------------------------------------------------------------------- requests
 namespace {
 
-void calcDisplacement(const MechanismRequest& r, const Mechanism&, const State& s, double* out) {
+void calcDisplacement(const MechanismRequest& r, const State& s, double* out) {
     const Transform X_GI = r.I.findPoseInGround(s), X_GJ = r.J.findPoseInGround(s);
     out = putWithMagnitude(~r.rm.findPoseInGround(s).R() * (X_GI.p() - X_GJ.p()), out);
     put(calcAngles313(~X_GJ.R() * X_GI.R()), out);
 }
 
-void calcVelocity(const MechanismRequest& r, const Mechanism&, const State& s, double* out) {
+void calcVelocity(const MechanismRequest& r, const State& s, double* out) {
     putInAxes(r.I.findVelocityInGround(s) - r.J.findVelocityInGround(s), s, r.rm, out);
 }
 
-void calcAcceleration(const MechanismRequest& r, const Mechanism&, const State& s, double* out) {
+void calcAcceleration(const MechanismRequest& r, const State& s, double* out) {
     putInAxes(r.I.findAccelerationInGround(s) - r.J.findAccelerationInGround(s), s, r.rm, out);
 }
 
-void calcForce(const MechanismRequest& r, const Mechanism& mechanism, const State& s, double* out) {
+void calcForce(const MechanismRequest& r, const State& s, double* out) {
     SpatialVec sum(Vec3(0), Vec3(0));
-    for (const auto& [k, iIsI] : r.connections) {
-        const Joint& joint = mechanism.getConnections()[k].joint;
-        sum += iIsI ? joint.calcReactionOnI(s) : joint.calcReactionOnJ(s);
-    }
+    for (const LoadFunction& load : r.loads) sum += load(s);
     putInAxes(sum, s, r.rm, out);
 }
 
@@ -106,9 +103,7 @@ void Recorder::addRequest(const MechanismRequest& request) {
         std::vector<Column> columns;
         for (const char* name : names) columns.push_back({name, columns.size() < 4 ? linear : angular});
         addGroup(m_results.requests, fmt::format("R{}.", request.id), columns,
-                 [calc, request, &mechanism = m_mechanism](const State& s, double* out) {
-                     calc(request, mechanism, s, out);
-                 });
+                 [calc, request](const State& s, double* out) { calc(request, s, out); });
     };
     switch (request.type) {
         case RequestType::Displacement:
@@ -121,23 +116,32 @@ void Recorder::addRequest(const MechanismRequest& request) {
                        u.getAngularAcceleration(), calcAcceleration);
         case RequestType::Force:
             return add({"FM", "FX", "FY", "FZ", "TM", "TX", "TY", "TZ"}, u.force, u.getMoment(), calcForce);
-        case RequestType::Expressions: break;  // not evaluated; the reader has said so
+        case RequestType::Expressions: addFunctions(request);
     }
 }
 
+// Functions give their values in the dataset's units already.
+void Recorder::addFunctions(const MechanismRequest& request) {
+    for (const auto& [number, function] : request.functions)
+        addGroup(m_results.requests, fmt::format("R{}.", request.id), {{fmt::format("F{}", number), 1}},
+                 [f = function](const State& s, double* out) { *out = f.calcValue(s); });
+}
+
 //----------------------------------------------------------------------------- reactions, parts, energy
-void Recorder::addConnection(const Connection& connection) {
+void Recorder::addReactions(const LoadElement& element) {
+    if (!element.isConstraint) return;
     const double F = m_mechanism.getUnits().force, M = m_mechanism.getUnits().getMoment();
-    const auto add = [&](const char* side, SpatialVec (Joint::*calcReaction)(const State&) const) {
-        addGroup(m_results.reactions, connection.name + side,
+    const auto add = [&](const char* side, const LoadFunction& load) {
+        if (!load) return;
+        addGroup(m_results.reactions, element.name + side,
                  {{"FX", F}, {"FY", F}, {"FZ", F}, {"TX", M}, {"TY", M}, {"TZ", M}},
-                 [joint = connection.joint, calcReaction](const State& s, double* out) {
-                     const SpatialVec load = (joint.*calcReaction)(s);
-                     put(load[0], put(load[1], out));
+                 [load](const State& s, double* out) {
+                     const SpatialVec onMarker = load(s);
+                     put(onMarker[0], put(onMarker[1], out));
                  });
     };
-    add(".I.", &Joint::calcReactionOnI);
-    add(".J.", &Joint::calcReactionOnJ);
+    add(".I.", element.onI);
+    add(".J.", element.onJ);
 }
 
 void Recorder::addPart(const MechanismPart& part) {

@@ -37,7 +37,8 @@ private:
     void addGroup(Table& table, const std::string& prefix, const std::vector<Column>& columns,
                   std::function<void(const SimTK::State&, double*)> calcInSI);
     void addRequest(const MechanismRequest& request);
-    void addConnection(const Connection& connection);
+    void addFunctions(const MechanismRequest& request);
+    void addReactions(const LoadElement& element);
     void addPart(const MechanismPart& part);
     void addModes(const MechanismPart& part);
     void addEnergy();

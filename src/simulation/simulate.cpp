@@ -11,50 +11,20 @@
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/error.h"
 #include "simulation/recorder.h"
+#include "simulation/stepper.h"
 
 namespace jprim {
 
-using SimTK::Integrator;
-using SimTK::MultibodySystem;
 using SimTK::Real;
 using SimTK::Stage;
 using SimTK::State;
 
 namespace {
 
-struct IntegratorEntry {
-    const char* name;
-    std::unique_ptr<Integrator> (*make)(const MultibodySystem&);
-};
-
-template <class Type>
-std::unique_ptr<Integrator> makeIntegrator(const MultibodySystem& system) {
-    return std::make_unique<Type>(system);
-}
-
-const IntegratorEntry Integrators[] = {
-    {"RungeKuttaMerson", makeIntegrator<SimTK::RungeKuttaMersonIntegrator>},
-    {"RungeKutta3", makeIntegrator<SimTK::RungeKutta3Integrator>},
-    {"Verlet", makeIntegrator<SimTK::VerletIntegrator>},
-    {"SemiExplicitEuler2", makeIntegrator<SimTK::SemiExplicitEuler2Integrator>},
-    {"CPodes", makeIntegrator<SimTK::CPodesIntegrator>}};
-
-std::unique_ptr<Integrator> makeIntegrator(const MultibodySystem& system, const SimulationOptions& options) {
-    for (const IntegratorEntry& entry : Integrators) {
-        if (options.integrator != entry.name) continue;
-        std::unique_ptr<Integrator> integrator = entry.make(system);
-        integrator->setAccuracy(options.accuracy);
-        integrator->setConstraintTolerance(options.accuracy / 10);
-        integrator->setAllowInterpolation(false);
-        return integrator;
-    }
-    throw Error("integrator " + options.integrator,
-                fmt::format("is not known; use one of {}", fmt::join(getIntegratorNames(), ", ")));
-}
-
-void checkOptions(const SimulationOptions& options) {
-    if (!(options.end > 0) || !std::isfinite(options.end))
-        throw Error("end", fmt::format("{} is not a positive time", options.end));
+void checkOptions(const SimulationOptions& options, double start) {
+    if (!(options.end > start) || !std::isfinite(options.end))
+        throw Error("end", fmt::format("{} is not a time after the start at {}", options.end, start));
+    checkIntegratorName(options.integrator);
     if (options.steps < 1) throw Error("steps", fmt::format("{} is not a positive number", options.steps));
     if (!(options.accuracy > 0 && options.accuracy < 1))
         throw Error("accuracy", fmt::format("{} is not between 0 and 1", options.accuracy));
@@ -125,11 +95,20 @@ void checkAccelerations(const Mechanism& mechanism, const State& state) {
                     mechanism.findEquations(state).at(size_t(first)).element));
 }
 
-void stepTo(Integrator& integrator, Real time) {
-    while (integrator.getTime() < time) {
-        const Integrator::SuccessfulStepStatus status = integrator.stepTo(time, time);
-        if (status == Integrator::EndOfSimulation) return;
+bool fires(const MechanismSensor& sensor, const State& state) {
+    const double f = sensor.function.calcValue(state);
+    switch (sensor.comparison) {
+        case SensorComparison::GreaterOrEqual: return f >= sensor.value - sensor.error;
+        case SensorComparison::LessOrEqual: return f <= sensor.value + sensor.error;
+        case SensorComparison::Equal: break;
     }
+    return std::abs(f - sensor.value) <= sensor.error;
+}
+
+const MechanismSensor* findFiringSensor(const Mechanism& mechanism, const State& state) {
+    for (const MechanismSensor& sensor : mechanism.getSensors())
+        if (fires(sensor, state)) return &sensor;
+    return nullptr;
 }
 
 // Simbody's messages run over several lines.
@@ -147,46 +126,101 @@ std::string describeFailure(const Mechanism& mechanism, const State& state, cons
                        joinLines(reason));
 }
 
-}  // namespace
-
-std::vector<std::string> getIntegratorNames() {
-    std::vector<std::string> names;
-    for (const IntegratorEntry& entry : Integrators) names.push_back(entry.name);
-    return names;
+bool isHolonomic(const Mechanism& mechanism, const State& state) {
+    const auto equations = mechanism.findEquations(state);
+    return std::all_of(equations.begin(), equations.end(), [](const auto& e) { return e.isHolonomic; });
 }
+
+bool isKinematic(const Mechanism& mechanism, const State& state, int freedoms, Analysis analysis) {
+    const bool isPossible = freedoms == 0 && isHolonomic(mechanism, state);
+    if (analysis == Analysis::Kinematics && !isPossible)
+        throw Error(
+            "kinematics",
+            fmt::format("needs a mechanism without freedoms and without MOTIONs or GCONs of velocities; "
+                        "this one has {} degrees of freedom; run dynamics instead",
+                        freedoms));
+    return isPossible && analysis != Analysis::Dynamics;
+}
+
+/// One simulation: the loop over output times and what happens at each.
+class Simulation {
+public:
+    Simulation(const Mechanism& mechanism, const SimulationOptions& options)
+        : m_mechanism(mechanism),
+          m_options(options),
+          m_recorder(mechanism),
+          m_monitor(mechanism, m_outcome.summary) {}
+
+    SimulationOutcome run(const State& initial) {
+        const double second = m_mechanism.getUnits().time, start = initial.getTime() / second;
+        checkOptions(m_options, start);
+        const auto started = std::chrono::steady_clock::now();
+        makeStepper(initial);
+        try {
+            for (int k = 0; k <= m_options.steps && !m_firing; ++k) {
+                const double time = start + (m_options.end - start) * k / m_options.steps;
+                stepTo(k == m_options.steps ? m_options.end * second : time * second);
+                record();
+                if (m_options.reportProgress) m_options.reportProgress(double(k) / m_options.steps);
+            }
+        } catch (const std::exception& exception) {
+            m_outcome.failure = describeFailure(m_mechanism, m_stepper->getState(), exception.what());
+        }
+        m_outcome.results = std::move(m_recorder.updResults());
+        m_outcome.finalState = m_stepper->getState();
+        m_outcome.summary.stepsTaken = m_stepper->getNumSteps();
+        m_outcome.summary.wallSeconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+        return std::move(m_outcome);
+    }
+
+private:
+    void makeStepper(const State& initial) {
+        SimulationSummary& summary = m_outcome.summary;
+        const ConstraintReport report = analyzeConstraints(m_mechanism.getMatter(), initial);
+        summary.degreesOfFreedom = report.getDegreesOfFreedom();
+        summary.redundantEquations = report.getNumRedundant();
+        summary.isKinematic = isKinematic(m_mechanism, initial, summary.degreesOfFreedom, m_options.analysis);
+        m_stepper = summary.isKinematic
+                        ? makeKinematics(m_mechanism, initial, m_options)
+                        : makeIntegration(m_mechanism, initial, m_options, !m_mechanism.getSensors().empty());
+    }
+
+    // A sensor that is true from the start has nothing to end.
+    void stepTo(Real time) {
+        while (!m_firing && m_stepper->getState().getTime() < time) {
+            m_stepper->step(time);
+            if (m_mechanism.getSensors().empty()) continue;
+            m_mechanism.getSystem().realize(m_stepper->getState(), Stage::Acceleration);
+            m_firing = findFiringSensor(m_mechanism, m_stepper->getState());
+        }
+        if (!m_firing) return;
+        m_outcome.summary.endedBy = m_firing->name;
+        m_outcome.summary.isHalted = m_firing->halt;
+    }
+
+    void record() {
+        const State& state = m_stepper->getState();
+        m_mechanism.getSystem().realize(state, Stage::Acceleration);
+        checkAccelerations(m_mechanism, state);
+        m_recorder.record(state);
+        m_monitor.observe(state);
+    }
+
+    const Mechanism& m_mechanism;
+    const SimulationOptions& m_options;
+    SimulationOutcome m_outcome;
+    Recorder m_recorder;
+    Monitor m_monitor;
+    std::unique_ptr<Stepper> m_stepper;
+    const MechanismSensor* m_firing = nullptr;
+};
+
+}  // namespace
 
 SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,
                            const SimulationOptions& options) {
-    checkOptions(options);
-    const MultibodySystem& system = mechanism.getSystem();
-    const std::unique_ptr<Integrator> integrator = makeIntegrator(system, options);
-    const auto started = std::chrono::steady_clock::now();
-
-    SimulationOutcome outcome;
-    const ConstraintReport report = analyzeConstraints(mechanism.getMatter(), initial.state);
-    outcome.summary.degreesOfFreedom = report.getDegreesOfFreedom();
-    outcome.summary.redundantEquations = report.getNumRedundant();
-    Recorder recorder(mechanism);
-    Monitor monitor(mechanism, outcome.summary);
-    try {
-        integrator->initialize(initial.state);
-        for (int k = 0; k <= options.steps; ++k) {
-            stepTo(*integrator, options.end * k / options.steps * mechanism.getUnits().time);
-            const State& state = integrator->getState();
-            system.realize(state, Stage::Acceleration);
-            checkAccelerations(mechanism, state);
-            recorder.record(state);
-            monitor.observe(state);
-            if (options.reportProgress) options.reportProgress(double(k) / options.steps);
-        }
-    } catch (const std::exception& exception) {
-        outcome.failure = describeFailure(mechanism, integrator->getState(), exception.what());
-    }
-    outcome.results = std::move(recorder.updResults());
-    outcome.summary.stepsTaken = integrator->getNumStepsTaken();
-    outcome.summary.wallSeconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    return outcome;
+    return Simulation(mechanism, options).run(initial.state);
 }
 
 }  // namespace jprim

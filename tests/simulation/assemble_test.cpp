@@ -127,7 +127,8 @@ TEST(Assemble, FailureNamesTheElementAndWhatIsLeft) {
 TEST(Assemble, FailureSaysWhatIsHeld) {
     const Mechanism mechanism = buildOrFail(makeTwoRods("", ", EXACT=X:Y:Z:PSI:THETA:PHI"));
     const std::string text = testing::catchError([&] { assemble(mechanism); });
-    EXPECT_NE(text.find("is left, with coordinates of PART/3 held by EXACT"), std::string::npos) << text;
+    EXPECT_NE(text.find("is left, while the EXACT coordinates of PART/3 are held"), std::string::npos)
+        << text;
 }
 
 // A gap of 0.9 nm on parts of 1 nm is a gap.

@@ -163,7 +163,7 @@ void expectOptionError(const SimulationOptions& options, const std::string& text
 
 TEST(Simulate, RefusesImpossibleOptions) {
     SimulationOptions options;
-    expectOptionError(options, "end: 0 is not a positive time");
+    expectOptionError(options, "end: 0 is not a time after the start at 0");
     options.end = 1;
     options.steps = 0;
     expectOptionError(options, "steps: 0 is not a positive number");

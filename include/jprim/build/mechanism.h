@@ -3,6 +3,7 @@
 #define JPRIM_BUILD_MECHANISM_H_
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,9 @@
 #include "jprim/base/units.h"
 #include "jprim/dataset/dataset.h"
 #include "jprim/flexible/flexible_body.h"
+#include "jprim/force/expression_measure.h"
+#include "jprim/force/marker_force.h"
+#include "jprim/general/general_constraint.h"
 #include "jprim/joint/joint.h"
 #include "jprim/marker/marker.h"
 
@@ -21,12 +25,13 @@
 /// Mechanism::getLengthUnit().
 namespace jprim {
 
-/// A PART or FLEX_BODY. Its body's frame has its origin at the mass centre and the axes of the part's body
+/// A PART, POINT_MASS or FLEX_BODY. Its body's frame has its origin at the mass centre and the axes of the part's body
 /// coordinate system (BCS), which for a FLEX_BODY are the mean axes of the deformation.
 struct MechanismPart {
     std::string name;  ///< "PART/3", "FLEX_BODY/3"
     SimTK::MobilizedBody body;
     bool ground = false;
+    bool turns = true;                     ///< false for a POINT_MASS, which has no rotations
     std::optional<FlexibleBody> flexible;  ///< of a FLEX_BODY
     /// The part's body coordinate system.
     Marker bcs;
@@ -56,15 +61,55 @@ struct Connection {
     Joint joint;  ///< for a JPRIM, a bundle of one
 };
 
+/// A GCON, MOTION or COUPLER.
+struct Equation {
+    std::string name;
+    GeneralConstraint constraint;
+    bool isLength = false;  ///< its error counts as a length, otherwise as an angle
+};
+
+/// A load [moment, force] in Ground, at the origin of the marker it acts on. Requires Stage::Acceleration.
+using LoadFunction = std::function<SimTK::SpatialVec(const SimTK::State&)>;
+
+/// The load of an element on its markers: of a JPRIM, JOINT, GCON, MOTION or force.
+struct LoadElement {
+    std::string name;  ///< "JPRIM/12"
+    int i = 0;         ///< marker ids; j is 0 if there is none
+    int j = 0;
+    LoadFunction onI;
+    LoadFunction onJ;           ///< empty if there is no J
+    bool isConstraint = false;  ///< its load is a reaction
+};
+
 /// A REQUEST that can be evaluated.
 struct MechanismRequest {
     int id = 0;
     RequestType type = RequestType::Displacement;
     Marker I;
-    Marker J;   ///< on ground if the dataset names none
-    Marker rm;  ///< ground's frame if the dataset names none
-    /// FORCE: the connections between I and J, each with true if its I marker is the request's I.
-    std::vector<std::pair<int, bool>> connections;
+    Marker J;                         ///< on ground if the dataset names none
+    Marker rm;                        ///< ground's frame if the dataset names none
+    std::vector<LoadFunction> loads;  ///< FORCE: of the elements between I and J, on I
+    /// The number of a column and its function, in the dataset's units: (2, …) for F2=….
+    std::vector<std::pair<int, ExpressionMeasure>> functions;
+};
+
+/// A SENSOR: ends a run where it fires.
+struct MechanismSensor {
+    std::string name;
+    ExpressionMeasure function;  ///< in the dataset's units
+    double value = 0;
+    double error = 0;
+    SensorComparison comparison = SensorComparison::Equal;
+    bool halt = false;  ///< ends the whole run, not just the command that runs
+};
+
+/// A coordinate with given values at the start: IC of a JOINT, ICDISP and ICVEL of a MOTION.
+struct InitialCoordinate {
+    std::string name;
+    Expression coordinate;
+    bool isAngle = false;  ///< value and value + 2 pi are the same
+    std::optional<SimTK::Real> value;
+    std::optional<SimTK::Real> rate;
 };
 
 /// A mechanism owns its MultibodySystem. Movable, not copyable.
@@ -84,9 +129,15 @@ public:
     /// In the order of the dataset, ground included; flexible bodies last.
     const std::vector<MechanismPart>& getParts() const { return m_parts; }
     const std::vector<Connection>& getConnections() const { return m_connections; }
+    const std::vector<Equation>& getEquations() const { return m_equations; }
+    const std::vector<MarkerForce>& getForces() const { return m_forces; }
+    /// Everything that puts loads on markers, constraints and forces.
+    const std::vector<LoadElement>& getLoadElements() const { return m_loadElements; }
+    const std::vector<InitialCoordinate>& getInitialCoordinates() const { return m_initialCoordinates; }
     const std::vector<MechanismRequest>& getRequests() const { return m_requests; }
+    const std::vector<MechanismSensor>& getSensors() const { return m_sensors; }
 
-    /// False if something takes energy out: the damping of a flexible body.
+    /// False if something may put energy in or take it out: damping, a force without a potential, a MOTION.
     bool isConservative() const;
     /// Kinetic energy: Simbody's, and what the deformation of flexible bodies adds. Requires Stage::Velocity.
     SimTK::Real calcKineticEnergy(const SimTK::State& state) const;
@@ -99,13 +150,14 @@ public:
     SimTK::Real calcJPRIM(const SimTK::State& state, int id, int jflag, int comp, int rm = 0) const;
     SimTK::Real calcJOINT(const SimTK::State& state, int id, int jflag, int comp, int rm = 0) const;
 
-    /// The element that the i-th position constraint equation (getQErr()) belongs to, and whether the
-    /// equation is a length; empty for Simbody's own equations on quaternions. Requires Stage::Model.
-    struct Equation {
+    /// One constraint equation, as Simbody numbers them: those of positions first (getQErr()), then those of
+    /// velocities, then those of accelerations. Requires Stage::Model.
+    struct EquationName {
         std::string element;
-        bool isLength = false;
+        bool isLength = false;  ///< its error counts as a length, otherwise as an angle
+        bool isHolonomic = true;
     };
-    std::vector<Equation> findEquations(const SimTK::State& state) const;
+    std::vector<EquationName> findEquations(const SimTK::State& state) const;
 
 private:
     friend class MechanismBuilder;
@@ -129,7 +181,13 @@ private:
     std::unordered_map<int, Marker> m_markers;
     std::vector<Connection> m_connections;
     std::unordered_map<std::string, int> m_connectionIndex;
+    std::vector<Equation> m_equations;
+    std::vector<MarkerForce> m_forces;
+    std::vector<LoadElement> m_loadElements;
+    std::vector<InitialCoordinate> m_initialCoordinates;
     std::vector<MechanismRequest> m_requests;
+    std::vector<MechanismSensor> m_sensors;
+    bool m_hasPower = false;  // an element may change the energy
 };
 
 }  // namespace jprim

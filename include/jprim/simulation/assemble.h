@@ -44,8 +44,14 @@ Violation calcViolation(const Mechanism& mechanism, const SimTK::State& state);
 /// in the sense of least squares; of all such velocities the smallest, so that what was not given and is not
 /// driven by what was stays at rest. Angular velocities count by the part's size. Modes start at rest.
 ///
+/// Coordinates given for joints and motions (IC, ICDISP) are met like EXACT ones.
+///
 /// @throws Error naming the element that stays violated, if the constraints cannot be met
 AssembledState assemble(const Mechanism& mechanism);
+
+/// The same from a State in the course of a run, after constraints were switched on or off: positions close
+/// to the present ones, and of the velocities that the constraints allow the nearest.
+AssembledState reassemble(const Mechanism& mechanism, const SimTK::State& current);
 
 /// Lengths and angles [rad] of constraint errors up to which given positions are taken as assembled.
 constexpr double AssemblyTolerance = 1e-9;

@@ -11,8 +11,13 @@
 
 namespace jprim {
 
+/// How to go on in time. Automatic: kinematics where nothing is free to move and all constraints are on
+/// positions, else dynamics.
+enum class Analysis { Automatic, Dynamics, Kinematics };
+
 struct SimulationOptions {
-    double end = 0;   ///< end time, in the dataset's unit; it starts at 0
+    Analysis analysis = Analysis::Automatic;
+    double end = 0;   ///< end time, in the dataset's unit; it starts at the time of the initial state
     int steps = 100;  ///< output steps of equal length; steps + 1 rows are recorded
     /// Relative, of the integrator; a tenth of it for constraint errors (root mean square).
     double accuracy = 1e-6;
@@ -36,7 +41,10 @@ struct SimulationSummary {
     /// What the change is held against: largest less smallest kinetic energy, or where hardly anything moves
     /// 1e-9 of the work of the parts' weights over their sizes.
     double energyScale = 0;
-    int stepsTaken = 0;  ///< by the integrator
+    bool isKinematic = false;  ///< nothing was integrated: positions followed from the constraints
+    int stepsTaken = 0;        ///< of the integrator or the kinematic solution
+    std::string endedBy;       ///< the sensor that ended it before its time: "SENSOR/3"; empty if none
+    bool isHalted = false;     ///< and that sensor has HALT
     double wallSeconds = 0;
 };
 
@@ -45,12 +53,13 @@ struct SimulationSummary {
 struct SimulationOutcome {
     Results results;
     SimulationSummary summary;
+    SimTK::State finalState;
     std::string failure;
 };
 
-/// Integrates a mechanism from assembled initial conditions and records it at equal intervals. Every output
-/// time ends an integration step: nothing recorded is interpolated.
-/// @throws Error if an option is out of range
+/// Moves a mechanism on from assembled initial conditions and records it at equal intervals. Every output time
+/// ends a step: nothing recorded is interpolated. Sensors are looked at after every step of the integrator.
+/// @throws Error if an option is out of range, or kinematics are asked for and impossible
 SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,
                            const SimulationOptions& options);
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build/mechanism_vocabulary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "expression/compile_expression.h"
+#include "jprim/marker/load.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Vec3;
+
+namespace {
+
+/// A function's name and the statement whose load it gives.
+const std::pair<const char*, const char*> ElementFunctions[] = {
+    {"JPRIM", "JPRIM"},   {"JOINT", "JOINT"},       {"GCON", "GCON"},    {"MOTION", "MOTION"},
+    {"SFORCE", "SFORCE"}, {"SPDP", "SPRINGDAMPER"}, {"BUSH", "BUSHING"}, {"GFORCE", "GFORCE"},
+    {"VFORCE", "VFORCE"}, {"VTORQ", "VTORQUE"}};
+
+// In the order of the component numbers 1 … 8.
+const char* const NetLoads[] = {"FM", "FX", "FY", "FZ", "TM", "TX", "TY", "TZ"};
+
+// A load [moment, force] in the axes of a marker, or Ground's if the marker is on no body.
+SpatialVec resolve(const State& state, const SpatialVec& load, const Marker& axes) {
+    return axes.isOnBody() ? expressLoadIn(state, load, axes) : load;
+}
+
+Real getUnit(const UnitSystem& units, int component) {
+    return component <= 4 ? units.force : units.getMoment();
+}
+
+}  // namespace
+
+std::optional<Operand> MechanismVocabulary::call(ProgramBuilder& builder, const Call& call) {
+    if (call.name == "VARVAL") return makeVariable(builder, call);
+    if (call.name == "ORIENT") return makeEulerParameter(call);
+    for (const auto& [function, keyword] : ElementFunctions)
+        if (call.name == function) return makeElementLoad(call, keyword);
+    const auto net = std::find(std::begin(NetLoads), std::end(NetLoads), call.name);
+    if (net != std::end(NetLoads)) return makeNetLoad(call, int(net - std::begin(NetLoads)) + 1);
+    return MarkerVocabulary::call(builder, call);
+}
+
+const Spline* MechanismVocabulary::findSpline(int id) {
+    const auto found = m_context.splines.find(id);
+    return found == m_context.splines.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> MechanismVocabulary::getNames() const {
+    std::vector<std::string> names = MarkerVocabulary::getNames();
+    names.insert(names.end(), {"VARVAL", "ORIENT"});
+    for (const auto& [function, keyword] : ElementFunctions) names.emplace_back(function);
+    names.insert(names.end(), std::begin(NetLoads), std::end(NetLoads));
+    return names;
+}
+
+// The variable's own mistakes are reported at its statement, so its text is known to be good.
+Operand MechanismVocabulary::makeVariable(ProgramBuilder& builder, const Call& call) {
+    const int id = getIds(call, 1, 1)[0];
+    const auto known = m_variables.find(id);
+    if (known != m_variables.end()) return known->second;
+    const auto found = m_context.variables.find(id);
+    if (found == m_context.variables.end())
+        throw ExpressionError(call.arguments[0].offset, fmt::format("VARIABLE/{} does not exist", id));
+    if (std::find(m_open.begin(), m_open.end(), id) != m_open.end())
+        throw ExpressionError(call.offset,
+                              fmt::format("VARIABLE/{} depends on itself; implicit variables are not "
+                                          "supported",
+                                          id));
+    m_open.push_back(id);
+    Operand value;
+    try {
+        value = compileExpression(found->second->function.text, builder, *this);
+    } catch (const ExpressionError& error) {
+        throw ExpressionError(call.offset, fmt::format("in VARIABLE/{}: {}", id, error.what()));
+    }
+    m_open.pop_back();
+    m_variables[id] = value;
+    return value;
+}
+
+Operand MechanismVocabulary::makeElementLoad(const Call& call, const std::string& keyword) {
+    const std::vector<int> ids = getIds(call, 3, 4);
+    const std::string name = fmt::format("{}/{}", keyword, ids[0]);
+    const int jflag = ids[1], component = ids[2];
+    const auto named = [&name](const LoadElement& element) { return element.name == name; };
+    const auto element = std::find_if(m_context.elements.begin(), m_context.elements.end(), named);
+    if (element == m_context.elements.end())
+        throw ExpressionError(
+            call.arguments[0].offset,
+            fmt::format("{} does not exist, or its load is not known here: only REQUEST and SENSOR "
+                        "can depend on loads of elements",
+                        name));
+    if (jflag > 1)
+        throw ExpressionError(call.arguments[1].offset,
+                              "the second argument must be 0 for the load on I or 1 for the "
+                              "load on J");
+    if (jflag == 1 && !element->onJ)
+        throw ExpressionError(call.arguments[1].offset,
+                              fmt::format("{} has no reaction on a J marker", name));
+    if (component < 1 || component > 8)
+        throw ExpressionError(call.arguments[2].offset,
+                              "the third argument must be 1 to 8 for FM FX FY FZ TM TX TY TZ");
+    if (call.arguments.size() > 3) checkMarker(call, 3, ids[3]);
+    const Real unit = getUnit(m_context.units, component);
+    return updFrames().addScalar(
+        InputLevel::Acceleration,
+        [load = jflag == 0 ? element->onI : element->onJ, axes = getMarker(ids[3]), component,
+         unit](const State& s) { return getLoadComponent(resolve(s, load(s), axes), component) / unit; });
+}
+
+Operand MechanismVocabulary::makeNetLoad(const Call& call, int component) {
+    const std::vector<int> ids = getIds(call, 1, 3);
+    for (size_t k = 0; k < call.arguments.size(); ++k) checkMarker(call, k, ids[k]);
+    std::vector<LoadFunction> loads;
+    for (const LoadElement& element : m_context.elements) {
+        if (element.i == ids[0] && element.j == ids[1]) loads.push_back(element.onI);
+        if (element.j == ids[0] && element.i == ids[1] && element.onJ) loads.push_back(element.onJ);
+    }
+    const Real unit = getUnit(m_context.units, component);
+    return updFrames().addScalar(InputLevel::Acceleration,
+                                 [loads, axes = getMarker(ids[2]), component, unit](const State& s) {
+                                     SpatialVec sum(Vec3(0), Vec3(0));
+                                     for (const LoadFunction& load : loads) sum += load(s);
+                                     return getLoadComponent(resolve(s, sum, axes), component) / unit;
+                                 });
+}
+
+// A value for output: its sign is chosen at each State anew, so it has no derivative.
+Operand MechanismVocabulary::makeEulerParameter(const Call& call) {
+    constexpr int EulerParameters = 27;
+    const std::vector<int> ids = getIds(call, 3, 4);
+    if (ids[0] != EulerParameters || ids[1] < 1 || ids[1] > 4)
+        throw ExpressionError(call.offset,
+                              "only ORIENT(27,k,i,j) is supported, the Euler parameters k = 1 … 4");
+    for (size_t k = 2; k < call.arguments.size(); ++k) checkMarker(call, k, ids[k]);
+    return updFrames().addScalar(InputLevel::Acceleration, [k = ids[1] - 1, I = getMarker(ids[2]),
+                                                            J = getMarker(ids[3])](const State& s) {
+        const SimTK::Rotation R_GI = I.isOnBody() ? I.findPoseInGround(s).R() : SimTK::Rotation();
+        const SimTK::Rotation R_GJ = J.isOnBody() ? J.findPoseInGround(s).R() : SimTK::Rotation();
+        return (~R_GJ * R_GI).convertRotationToQuaternion()[k];
+    });
+}
+
+}  // namespace jprim

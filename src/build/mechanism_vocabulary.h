@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_BUILD_MECHANISM_VOCABULARY_H_
+#define JPRIM_SRC_BUILD_MECHANISM_VOCABULARY_H_
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "expression/spline.h"
+#include "jprim/build/mechanism.h"
+#include "marker/marker_vocabulary.h"
+
+namespace jprim {
+
+/// What the functions of a dataset can refer to besides markers. Elements are those that are built so far:
+/// functions of constraints and forces may not refer to them anyway.
+struct FunctionContext {
+    UnitSystem units;
+    std::vector<LoadElement> elements;
+    std::unordered_map<int, const VariableStatement*> variables;
+    std::unordered_map<int, Spline> splines;
+};
+
+/// The measures of markers, and
+/// - VARVAL(id): the VARIABLE's function in its place
+/// - JPRIM, JOINT, GCON, MOTION, SFORCE, SPDP, BUSH, GFORCE, VFORCE, VTORQ(id, jflag, comp, rm): loads of
+///   elements, which are known only once accelerations are
+/// - FX FY FZ FM TX TY TZ TM(i, j, k): the sum of the loads on i from elements between i and j
+/// - ORIENT(27, k, i, j): the k-th Euler parameter of i in j
+class MechanismVocabulary : public MarkerVocabulary {
+public:
+    MechanismVocabulary(MarkerFrames& frames, const MarkerFrames::FindMarker& find,
+                        const FunctionContext& context)
+        : MarkerVocabulary(frames), m_find(find), m_context(context) {}
+
+    std::optional<Operand> call(ProgramBuilder& builder, const Call& call) override;
+    const Spline* findSpline(int id) override;
+    std::vector<std::string> getNames() const override;
+
+private:
+    Operand makeVariable(ProgramBuilder& builder, const Call& call);
+    Operand makeElementLoad(const Call& call, const std::string& keyword);
+    Operand makeNetLoad(const Call& call, int component);
+    Operand makeEulerParameter(const Call& call);
+    Marker getMarker(int id) const { return id == 0 ? Marker() : *m_find(id); }
+
+    const MarkerFrames::FindMarker& m_find;
+    const FunctionContext& m_context;
+    std::map<int, Operand> m_variables;  // compiled into this program already
+    std::vector<int> m_open;             // being compiled, outermost first
+};
+
+}  // namespace jprim
+
+#endif

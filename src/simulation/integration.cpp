@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "jprim/base/error.h"
+#include "simulation/stepper.h"
+
+namespace jprim {
+
+using SimTK::Integrator;
+using SimTK::MultibodySystem;
+using SimTK::Real;
+using SimTK::State;
+
+namespace {
+
+struct IntegratorEntry {
+    const char* name;
+    std::unique_ptr<Integrator> (*make)(const MultibodySystem&);
+};
+
+template <class Type>
+std::unique_ptr<Integrator> makeIntegrator(const MultibodySystem& system) {
+    return std::make_unique<Type>(system);
+}
+
+const IntegratorEntry Integrators[] = {
+    {"RungeKuttaMerson", makeIntegrator<SimTK::RungeKuttaMersonIntegrator>},
+    {"RungeKutta3", makeIntegrator<SimTK::RungeKutta3Integrator>},
+    {"Verlet", makeIntegrator<SimTK::VerletIntegrator>},
+    {"SemiExplicitEuler2", makeIntegrator<SimTK::SemiExplicitEuler2Integrator>},
+    {"CPodes", makeIntegrator<SimTK::CPodesIntegrator>}};
+
+const IntegratorEntry& findEntry(const std::string& name) {
+    for (const IntegratorEntry& entry : Integrators)
+        if (name == entry.name) return entry;
+    throw Error("integrator " + name,
+                fmt::format("is not known; use one of {}", fmt::join(getIntegratorNames(), ", ")));
+}
+
+class Integration : public Stepper {
+public:
+    Integration(std::unique_ptr<Integrator> integrator, const State& initial)
+        : m_integrator(std::move(integrator)) {
+        m_integrator->initialize(initial);
+    }
+
+    const State& getState() const override { return m_integrator->getState(); }
+    int getNumSteps() const override { return m_integrator->getNumStepsTaken(); }
+    void step(Real time) override {
+        if (m_integrator->stepTo(time, time) == Integrator::EndOfSimulation)
+            throw Error("integrator", "ended before its time");
+    }
+
+private:
+    std::unique_ptr<Integrator> m_integrator;
+};
+
+}  // namespace
+
+std::vector<std::string> getIntegratorNames() {
+    std::vector<std::string> names;
+    for (const IntegratorEntry& entry : Integrators) names.push_back(entry.name);
+    return names;
+}
+
+void checkIntegratorName(const std::string& name) {
+    findEntry(name);
+}
+
+std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const State& initial,
+                                         const SimulationOptions& options, bool everyStep) {
+    const IntegratorEntry& entry = findEntry(options.integrator);
+    std::unique_ptr<Integrator> integrator = entry.make(mechanism.getSystem());
+    integrator->setAccuracy(options.accuracy);
+    integrator->setConstraintTolerance(options.accuracy / 10);
+    integrator->setAllowInterpolation(false);
+    integrator->setReturnEveryInternalStep(everyStep);
+    return std::make_unique<Integration>(std::move(integrator), initial);
+}
+
+}  // namespace jprim

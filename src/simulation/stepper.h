@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_SIMULATION_STEPPER_H_
+#define JPRIM_SRC_SIMULATION_STEPPER_H_
+
+#include <memory>
+#include <string>
+
+#include "jprim/build/mechanism.h"
+#include "jprim/simulation/simulate.h"
+
+namespace jprim {
+
+/// Moves a State on in time.
+class Stepper {
+public:
+    virtual ~Stepper() = default;
+    virtual const SimTK::State& getState() const = 0;
+    /// One step, which does not go beyond `time`. The State may stay at a time that the next step changes.
+    virtual void step(SimTK::Real time) = 0;
+    virtual int getNumSteps() const = 0;
+};
+
+/// @throws Error if there is no such integrator
+void checkIntegratorName(const std::string& name);
+
+/// Integrates the equations of motion. With `everyStep` each internal step of the integrator is one step
+/// here; without, it goes as far as it can.
+std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const SimTK::State& initial,
+                                         const SimulationOptions& options, bool everyStep);
+
+/// Follows a mechanism without freedoms, whose constraints give positions, velocities and accelerations at
+/// any time: no equation is integrated.
+std::unique_ptr<Stepper> makeKinematics(const Mechanism& mechanism, const SimTK::State& initial,
+                                        const SimulationOptions& options);
+
+}  // namespace jprim
+
+#endif
