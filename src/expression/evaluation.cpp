@@ -85,17 +85,18 @@ void Evaluation::calcGradient() {
 
 void Evaluation::goBack(const Instruction& instruction, Real g) {
     if (g == 0) return;
-    const auto& [operation, detail, arguments, result] = instruction;
+    const std::array<int, 4>& arguments = instruction.arguments;
+    const int detail = instruction.detail;
     const auto value = [&](int i) { return m_registers.scalars[arguments[i]].value; };
-    const auto give = [&](int i, Real x) { m_scalarGradients[arguments[i]] += x; };
     const auto vectorValue = [&](int i) -> const Vec3& { return m_registers.vectors[arguments[i]].value; };
+    const auto give = [&](int i, Real x) { m_scalarGradients[arguments[i]] += x; };
     const auto giveVector = [&](int i, const Vec3& x) { m_vectorGradients[arguments[i]] += x; };
     const auto givePartials = [&](const Partials& d) {
         give(0, g * d.x);
         give(1, g * d.y);
     };
-    const Real f = m_registers.scalars[result].value;
-    switch (operation) {
+    const Real f = m_registers.scalars[instruction.result].value;
+    switch (instruction.operation) {
         case Operation::Add: return give(0, g), give(1, g);
         case Operation::Subtract: return give(0, g), give(1, -g);
         case Operation::Negate: return give(0, -g);
@@ -114,11 +115,11 @@ void Evaluation::goBack(const Instruction& instruction, Real g) {
 
 void Evaluation::goBack(const Instruction& instruction, const Vec3& g) {
     if (g == Vec3(0)) return;
-    const auto& [operation, detail, arguments, result] = instruction;
-    const auto give = [&](int i, Real x) { m_scalarGradients[arguments[i]] += x; };
+    const std::array<int, 4>& arguments = instruction.arguments;
     const auto vectorValue = [&](int i) -> const Vec3& { return m_registers.vectors[arguments[i]].value; };
+    const auto give = [&](int i, Real x) { m_scalarGradients[arguments[i]] += x; };
     const auto giveVector = [&](int i, const Vec3& x) { m_vectorGradients[arguments[i]] += x; };
-    switch (operation) {
+    switch (instruction.operation) {
         case Operation::Vector: return give(0, g[0]), give(1, g[1]), give(2, g[2]);
         case Operation::AddVectors: return giveVector(0, g), giveVector(1, g);
         case Operation::SubtractVectors: return giveVector(0, g), giveVector(1, -g);

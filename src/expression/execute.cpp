@@ -53,12 +53,13 @@ template <class Access>
 void execute(const Instruction& instruction, const std::vector<CurveUse>& curves, Registers& registers) {
     using SimTK::cross;
     using SimTK::dot;
-    const auto& [operation, detail, arguments, result] = instruction;
+    const std::array<int, 4>& arguments = instruction.arguments;
+    const int detail = instruction.detail, result = instruction.result;
     const auto s = [&](int i) -> decltype(auto) { return Access::get(registers.scalars[arguments[i]]); };
     const auto v = [&](int i) -> decltype(auto) { return Access::get(registers.vectors[arguments[i]]); };
     const auto setScalar = [&](const auto& x) { Access::set(registers.scalars[result], x); };
     const auto setVector = [&](const auto& x) { Access::set(registers.vectors[result], x); };
-    switch (operation) {
+    switch (instruction.operation) {
         case Operation::Add: return setScalar(s(0) + s(1));
         case Operation::Subtract: return setScalar(s(0) - s(1));
         case Operation::Negate: return setScalar(-s(0));

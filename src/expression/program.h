@@ -47,6 +47,9 @@ public:
     /// if velocities decide which is taken.
     bool isLinearInVelocity() const { return m_code->velocityDegree <= 1; }
 
+    /// The length of the code.
+    int getNumOperations() const { return static_cast<int>(m_code->instructions.size()); }
+
     /// How many angles an Evaluation has to remember.
     int getNumAngles() const { return static_cast<int>(m_code->angles.size()); }
 

@@ -2,8 +2,6 @@
 #ifndef JPRIM_TESTS_EXPRESSION_COMPILING_H_
 #define JPRIM_TESTS_EXPRESSION_COMPILING_H_
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <string>
 #include <vector>

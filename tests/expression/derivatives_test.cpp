@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every function against its closed form, and by three routes its derivatives: along a motion of the inputs, by
 // differences of values along the same motion, and as gradient times rates.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <functional>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each mistake is reported where it stands.
+#include <gtest/gtest.h>
+
 #include <chrono>
 
 #include "expression/compiling.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a text means: precedence, numbers, blanks, vectors and names, against results worked out by hand.
+#include <gtest/gtest.h>
+
 #include "expression/compiling.h"
 
 namespace jprim::testing {

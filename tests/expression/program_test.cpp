@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program says of itself, what it leaves out, whole turns, and derivatives where there are none.
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "expression/compiling.h"
