@@ -76,10 +76,10 @@ void Evaluation::calcGradient() {
     std::fill(m_vectorGradients.begin(), m_vectorGradients.end(), Vec3(0));
     m_scalarGradients[code.result.index] = 1;
     for (auto it = code.instructions.rbegin(); it != code.instructions.rend(); ++it) {
-        if (!getSignature(it->operation).isVector)
-            goBack(*it, m_scalarGradients[it->result]);
-        else
+        if (hasVectorResult(it->operation))
             goBack(*it, m_vectorGradients[it->result]);
+        else
+            goBack(*it, m_scalarGradients[it->result]);
     }
 }
 

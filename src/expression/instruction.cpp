@@ -3,25 +3,25 @@
 
 namespace jprim {
 
-Signature getSignature(Operation operation) {
+const char* getShapes(Operation operation) {
     switch (operation) {
         case Operation::Add:
         case Operation::Subtract:
         case Operation::Multiply:
         case Operation::Divide:
         case Operation::Call:
-        case Operation::Curve: return {"ss", false};
-        case Operation::Negate: return {"s", false};
-        case Operation::Select: return {"ssss", false};
-        case Operation::Dot: return {"vv", false};
-        case Operation::Component: return {"v", false};
-        case Operation::Vector: return {"sss", true};
+        case Operation::Curve: return "ss";
+        case Operation::Negate: return "s";
+        case Operation::Select: return "ssss";
+        case Operation::Dot: return "vv";
+        case Operation::Component: return "v";
+        case Operation::Vector: return "sss";
         case Operation::AddVectors:
         case Operation::SubtractVectors:
-        case Operation::Cross: return {"vv", true};
-        case Operation::Scale: return {"sv", true};
+        case Operation::Cross: return "vv";
+        case Operation::Scale: return "sv";
     }
-    return {"", false};
+    return "";
 }
 
 }  // namespace jprim

@@ -13,7 +13,8 @@
 /// What a Program is made of; of interest to the builder and the evaluation only.
 namespace jprim {
 
-/// The elementary operations. s is a scalar and v a vector in the lists of arguments.
+/// The elementary operations. s is a scalar and v a vector in the lists of arguments. From Vector on the result
+/// is a vector.
 enum class Operation {
     Add,              ///< s, s
     Subtract,         ///< s, s
@@ -32,12 +33,12 @@ enum class Operation {
     Cross             ///< v, v
 };
 
-/// The arguments of an operation, a letter each, and whether its result is a vector.
-struct Signature {
-    const char* arguments;
-    bool isVector;
-};
-Signature getSignature(Operation operation);
+/// The arguments of an operation, a letter each.
+const char* getShapes(Operation operation);
+
+inline bool hasVectorResult(Operation operation) {
+    return operation >= Operation::Vector;
+}
 
 /// result = operation(arguments). Scalars and vectors have registers of their own.
 struct Instruction {

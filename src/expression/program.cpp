@@ -39,10 +39,9 @@ NewRegisters findNeeded(const std::vector<Instruction>& instructions, Operand re
     NewRegisters needed{Renumbering(all.scalars.size()), Renumbering(all.vectors.size())};
     needed.get(result.isVector).need(result.index);
     for (auto it = instructions.rbegin(); it != instructions.rend(); ++it) {
-        const Signature signature = getSignature(it->operation);
-        if (!needed.get(signature.isVector).isNeeded(it->result)) continue;
-        for (int i = 0; signature.arguments[i]; ++i)
-            needed.get(signature.arguments[i] == 'v').need(it->arguments[i]);
+        if (!needed.get(hasVectorResult(it->operation)).isNeeded(it->result)) continue;
+        const char* shapes = getShapes(it->operation);
+        for (int i = 0; shapes[i]; ++i) needed.get(shapes[i] == 'v').need(it->arguments[i]);
     }
     return needed;
 }
@@ -56,11 +55,13 @@ Program ProgramBuilder::finish(Operand result) const {
     renumber.vectors.keep(m_values.vectors, code->initial.vectors);
 
     for (Instruction instruction : m_instructions) {
-        const Signature signature = getSignature(instruction.operation);
-        instruction.result = renumber.get(signature.isVector)(instruction.result);
+        instruction.result = renumber.get(hasVectorResult(instruction.operation))(instruction.result);
         if (instruction.result < 0) continue;
-        for (int i = 0; signature.arguments[i]; ++i)
-            instruction.arguments[i] = renumber.get(signature.arguments[i] == 'v')(instruction.arguments[i]);
+        const char* shapes = getShapes(instruction.operation);
+        for (int i = 0; shapes[i]; ++i) {
+            int& argument = instruction.arguments[i];
+            argument = renumber.get(shapes[i] == 'v')(argument);
+        }
         if (instruction.operation == Operation::Curve) {
             code->curves.push_back(m_curves[instruction.detail]);
             instruction.detail = static_cast<int>(code->curves.size()) - 1;

@@ -70,10 +70,9 @@ Operand ProgramBuilder::makeOperand(bool isVector, const Traits& traits) {
 }
 
 Operand ProgramBuilder::emit(Operation operation, std::initializer_list<Operand> arguments, int detail) {
-    const Signature signature = getSignature(operation);
-    assert(fits(signature.arguments, arguments));
+    assert(fits(getShapes(operation), arguments));
     const Traits traits = combineTraits(operation, arguments);
-    const Operand result = makeOperand(signature.isVector, traits);
+    const Operand result = makeOperand(hasVectorResult(operation), traits);
     Instruction instruction{operation, detail, {-1, -1, -1, -1}, result.index};
     std::transform(arguments.begin(), arguments.end(), instruction.arguments.begin(),
                    [](Operand a) { return a.index; });
