@@ -5,6 +5,8 @@
 /// @file
 /// All of jprim.
 
+#include "jprim/analysis/conflicts.h"
+#include "jprim/analysis/constraint_equations.h"
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/diagnostic.h"
 #include "jprim/base/error.h"

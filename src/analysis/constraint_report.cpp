@@ -1,44 +1,111 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/analysis/constraint_report.h"
 
-#include <Eigen/QR>
+#include <algorithm>
+
+#include "analysis/error_minimum.h"
+#include "analysis/nearby_positions.h"
+#include "analysis/rank.h"
+#include "analysis/scaled_equations.h"
 
 namespace jprim {
 
-using SimTK::Matrix;
+using Eigen::MatrixXd;
 using SimTK::SimbodyMatterSubsystem;
 using SimTK::State;
 
 namespace {
 
-// Dependent rows of an assembled mechanism cancel to about the assembly tolerance; independent ones of a
-// sensible mechanism are far above.
-constexpr double RankTolerance = 1e-7;
+using Vectors = Decomposition::Vectors;
 
-// Dividing each column by its norm takes the unit of the speed out, then each row by its the equation's.
-Eigen::MatrixXd equilibrate(const Matrix& G) {
-    Eigen::MatrixXd A = Eigen::Map<const Eigen::MatrixXd>(&G(0, 0), G.nrow(), G.ncol());
-    const auto normalize = [](auto&& vectors) {
-        for (auto vector : vectors)
-            if (vector.norm() > 0) vector /= vector.norm();
-    };
-    normalize(A.colwise());
-    normalize(A.rowwise());
-    return A;
+// The State itself, or where its constraints are met to rounding if that is near.
+State findAdmissible(const SimbodyMatterSubsystem& matter, const State& given,
+                     const std::vector<ConstraintEquation>& equations) {
+    constexpr double Met = 1e-13, Near = 1e-3;
+    const ScaledEquations holonomic(matter, selectHolonomic(equations), given);
+    const Eigen::VectorXd errors = holonomic.calcErrors(given);
+    const double largest = errors.size() > 0 ? errors.lpNorm<Eigen::Infinity>() : 0;
+    if (largest <= Met || largest > Near) return given;
+    const ErrorMinimum minimum = minimizeErrors(holonomic, given);
+    return minimum.isMet() ? minimum.state : given;
+}
+
+ConstraintCount makeCount(const MatrixXd& A, const RankDecision& decision) {
+    return {int(A.cols()), int(A.rows()), decision.rank, decision.smallestKept, decision.largestDropped};
+}
+
+// Independent equations nearby that depend on each other here: the others are left out.
+std::vector<RedundantEquation> findLostHere(const MatrixXd& here,
+                                            const std::vector<RedundantEquation>& everywhere) {
+    std::vector<int> rows;
+    for (int i = 0; i < here.rows(); ++i)
+        if (std::none_of(everywhere.begin(), everywhere.end(),
+                         [i](const RedundantEquation& r) { return r.equation == i; }))
+            rows.push_back(i);
+    const Decomposition independent(here(rows, Eigen::all), Vectors::Both);
+    std::vector<RedundantEquation> lost;
+    for (const DependentRow& dependent : findDependentRows(independent.calcLeftNullSpace())) {
+        lost.push_back({rows[size_t(dependent.row)], {}, true});
+        for (const int i : dependent.on) lost.back().dependsOn.push_back(rows[size_t(i)]);
+    }
+    return lost;
+}
+
+std::vector<RedundantEquation> findRedundant(const Decomposition& decomposition) {
+    std::vector<RedundantEquation> redundant;
+    for (const DependentRow& dependent : findDependentRows(decomposition.calcLeftNullSpace()))
+        redundant.push_back({dependent.row, dependent.on, false});
+    return redundant;
+}
+
+// In a part of the mechanism that is free at first order only, everything that hangs together with its
+// freedoms depends on the position; what is dependent beyond those freedoms is so anyway.
+void markImmobile(const Decomposition& here, const std::vector<int>& immobileBlocks,
+                  std::vector<RedundantEquation>& redundant) {
+    for (const int b : immobileBlocks) {
+        const std::vector<int>& rows = here.getBlocks()[size_t(b)].rows;
+        int count = here.getNullity(b);
+        for (auto r = redundant.rbegin(); r != redundant.rend() && count > 0; ++r) {
+            if (!std::binary_search(rows.begin(), rows.end(), r->equation)) continue;
+            r->onlyHere = true;
+            --count;
+        }
+    }
+    std::stable_partition(redundant.begin(), redundant.end(),
+                          [](const RedundantEquation& r) { return !r.onlyHere; });
 }
 
 }  // namespace
 
-ConstraintReport analyzeConstraints(const SimbodyMatterSubsystem& matter, const State& state) {
+ConstraintCount countFreedoms(const SimbodyMatterSubsystem& matter, const State& given) {
+    const std::vector<ConstraintEquation> equations = findEquations(matter, given);
+    const State state = findAdmissible(matter, given, equations);
+    const MatrixXd A = ScaledEquations(matter, equations, state).calcJacobian(state);
+    return makeCount(A, Decomposition(A, Vectors::None).getDecision());
+}
+
+ConstraintReport analyzeConstraints(const SimbodyMatterSubsystem& matter, const State& given,
+                                    const ElementNames& names) {
     ConstraintReport report;
-    Matrix G;
-    matter.calcG(state, G);
-    report.mobilities = state.getNU();
-    report.equations = G.nrow();
-    if (G.nrow() == 0 || G.ncol() == 0) return report;
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(equilibrate(G).transpose());
-    qr.setThreshold(RankTolerance);
-    report.rank = int(qr.rank());
+    report.equations = findEquations(matter, given, names);
+    const State state = findAdmissible(matter, given, report.equations);
+    const ScaledEquations scaled(matter, report.equations, state);
+    const MatrixXd A = scaled.calcJacobian(state);
+    const Decomposition here(A, Vectors::Both);
+    static_cast<ConstraintCount&>(report) = makeCount(A, here.getDecision());
+    report.freedomsNearby = report.getDegreesOfFreedom();
+    if (report.getNumRedundant() == 0) return report;
+
+    const NearbyPosition nearby = findNearbyPosition(matter, scaled, state, here);
+    const Decomposition there(nearby.A, Vectors::Both);
+    report.redundant = findRedundant(there);
+    report.freedomsNearby = int(A.cols()) - there.getRank();
+    for (const int b : nearby.immobileBlocks) report.freedomsNearby -= here.getNullity(b);
+    if (report.isSingularPosition()) {
+        const std::vector<RedundantEquation> lost = findLostHere(A, report.redundant);
+        markImmobile(here, nearby.immobileBlocks, report.redundant);
+        report.redundant.insert(report.redundant.end(), lost.begin(), lost.end());
+    }
     return report;
 }
 

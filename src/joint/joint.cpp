@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/joint/joint.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "jprim/base/error.h"
 #include "jprim/marker/load.h"
 #include "marker/marker_frames.h"
 
@@ -17,6 +20,8 @@ using SimTK::Transform;
 using SimTK::Vec3;
 
 namespace {
+
+constexpr const char* HookeType = "HOOKE";
 
 // The marker turned so that its new z axis is one of its old axes.
 Marker turnZTo(const Marker& marker, const CoordinateAxis& axis) {
@@ -71,7 +76,7 @@ Joint Joint::Universal(const Marker& I, const Marker& J, const std::string& name
 
 Joint Joint::Hooke(const Marker& I, const Marker& J, const std::string& name) {
     return Joint(
-        "HOOKE", name,
+        HookeType, name,
         {AtPoint(I, J, name), Perpendicular(turnZTo(I, SimTK::XAxis), turnZTo(J, SimTK::YAxis), name)});
 }
 
@@ -117,6 +122,16 @@ std::vector<SimTK::Constraint> Joint::getConstraints() const {
     std::vector<SimTK::Constraint> constraints(m_primitives.begin(), m_primitives.end());
     constraints.insert(constraints.end(), m_equations.begin(), m_equations.end());
     return constraints;
+}
+
+// The markers of HOOKE's PERPENDICULAR are turned; its words are about the joint's own.
+std::string Joint::describeEquation(int p, int k) const {
+    if (p < 0 || p >= int(m_primitives.size()))
+        throw Error(getDescription(),
+                    fmt::format("has no primitive {}; use 0 to {}", p, m_primitives.size() - 1));
+    const bool isTurned = m_adamsType == HookeType && !m_primitives[p].isTranslational();
+    const std::string words = m_primitives[p].describeEquation(k);
+    return isTurned ? "rotation between Xi and Yj" : words;
 }
 
 void Joint::disable(State& state) const {

@@ -22,7 +22,9 @@ using SimTK::Vec3;
 class OrientationImpl : public PrimitiveImpl {
 public:
     OrientationImpl(const Marker& I, const Marker& J, const std::string& name)
-        : PrimitiveImpl("ORIENTATION", Kind::Rotational, 3, I, J, name) {}
+        : PrimitiveImpl("ORIENTATION", Kind::Rotational,
+                        {"rotation between Zi and Yj", "rotation between Zi and Xj", "rotation about Zj"}, I,
+                        J, name) {}
 
     Implementation* clone() const override { return new OrientationImpl(*this); }
 

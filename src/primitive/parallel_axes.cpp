@@ -51,7 +51,8 @@ struct TiltedAxis {
 class ParallelAxesImpl : public PrimitiveImpl {
 public:
     ParallelAxesImpl(const Marker& I, const Marker& J, const std::string& name)
-        : PrimitiveImpl("PARALLEL_AXES", Kind::Rotational, 2, I, J, name) {}
+        : PrimitiveImpl("PARALLEL_AXES", Kind::Rotational,
+                        {"rotation between Zi and Yj", "rotation between Zi and Xj"}, I, J, name) {}
 
     Implementation* clone() const override { return new ParallelAxesImpl(*this); }
 

@@ -16,7 +16,7 @@ using SimTK::Vec3;
 class PerpendicularImpl : public PrimitiveImpl {
 public:
     PerpendicularImpl(const Marker& I, const Marker& J, const std::string& name)
-        : PrimitiveImpl("PERPENDICULAR", Kind::Rotational, 1, I, J, name) {}
+        : PrimitiveImpl("PERPENDICULAR", Kind::Rotational, {"rotation between Zi and Zj"}, I, J, name) {}
 
     Implementation* clone() const override { return new PerpendicularImpl(*this); }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/primitive/primitive.h"
 
+#include <fmt/format.h>
+
+#include "jprim/base/error.h"
 #include "jprim/marker/load.h"
 #include "primitive/primitive_impl.h"
 
@@ -37,6 +40,17 @@ const char* Primitive::getAdamsType() const {
 
 bool Primitive::isTranslational() const {
     return getImpl().isTranslational();
+}
+
+int Primitive::getNumEquations() const {
+    return getImpl().getNumEquations();
+}
+
+std::string Primitive::describeEquation(int k) const {
+    if (k < 0 || k >= getNumEquations())
+        throw Error(getImpl().getDescription(),
+                    fmt::format("has no equation {}; use 0 to {}", k, getNumEquations() - 1));
+    return getImpl().describeEquation(k);
 }
 
 //---------------------------------------------------------------------------------------- markers

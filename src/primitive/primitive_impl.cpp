@@ -47,13 +47,14 @@ SimbodyMatterSubsystem& findMatter(const Marker& I, const Marker& J, const std::
 
 }  // namespace
 
-PrimitiveImpl::PrimitiveImpl(const char* adamsType, Kind kind, int numEquations, const Marker& I,
+PrimitiveImpl::PrimitiveImpl(const char* adamsType, Kind kind, const Words& words, const Marker& I,
                              const Marker& J, const std::string& name)
-    : Implementation(findMatter(I, J, describe(adamsType, name)), numEquations, 0, 0),
+    : Implementation(findMatter(I, J, describe(adamsType, name)), int(words.size()), 0, 0),
       m_name(name),
       m_adamsType(adamsType),
       m_isTranslational(kind == Kind::Translational),
-      m_numEquations(numEquations),
+      m_words(words),
+      m_numEquations(int(words.size())),
       m_defaultI(I),
       m_defaultJ(J),
       m_I(addMarker(I)),

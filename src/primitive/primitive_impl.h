@@ -43,6 +43,9 @@ public:
     };
 
     const char* getAdamsType() const { return m_adamsType; }
+    int getNumEquations() const { return m_numEquations; }
+    /// What equation k holds, in words.
+    const char* describeEquation(int k) const { return m_words.at(size_t(k)); }
     /// The name if there is one, and the type: what messages call this element.
     std::string getDescription() const;
     Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose()}; }
@@ -60,7 +63,9 @@ public:
 
 protected:
     enum class Kind { Translational, Rotational };
-    PrimitiveImpl(const char* adamsType, Kind kind, int numEquations, const Marker& I, const Marker& J,
+    /// One entry of words for each equation.
+    using Words = std::vector<const char*>;
+    PrimitiveImpl(const char* adamsType, Kind kind, const Words& words, const Marker& I, const Marker& J,
                   const std::string& name);
 
 private:
@@ -112,6 +117,7 @@ private:
     std::string m_name;
     const char* m_adamsType;
     bool m_isTranslational;
+    Words m_words;
     int m_numEquations;
     Marker m_defaultI;
     Marker m_defaultJ;

@@ -13,21 +13,19 @@ using SimTK::Vec3;
 
 class TranslationalImpl : public PrimitiveImpl {
 public:
-    // Holds J's axes firstAxis … firstAxis + numAxes - 1, where x is 0.
-    TranslationalImpl(const char* adamsType, int firstAxis, int numAxes, const Marker& I, const Marker& J,
-                      const std::string& name)
-        : PrimitiveImpl(adamsType, Kind::Translational, numAxes, I, J, name),
-          m_firstAxis(firstAxis),
-          m_numAxes(numAxes) {}
+    // Holds J's axes firstAxis, firstAxis + 1 …, where x is 0; one equation for each of the words.
+    TranslationalImpl(const char* adamsType, int firstAxis, const Words& words, const Marker& I,
+                      const Marker& J, const std::string& name)
+        : PrimitiveImpl(adamsType, Kind::Translational, words, I, J, name), m_firstAxis(firstAxis) {}
 
     Implementation* clone() const override { return new TranslationalImpl(*this); }
 
     void calcErrors(const MarkerPair& pair, Errors& e) const override {
-        for (int k = 0; k < m_numAxes; ++k) e[k] = pair.getPosition()[m_firstAxis + k];
+        for (int k = 0; k < getNumEquations(); ++k) e[k] = pair.getPosition()[m_firstAxis + k];
     }
 
     void calcDirections(const MarkerPair&, Directions& d) const override {
-        for (int k = 0; k < m_numAxes; ++k) {
+        for (int k = 0; k < getNumEquations(); ++k) {
             d[k] = SpatialVec(Vec3(0), Vec3(0));
             d[k][1][m_firstAxis + k] = 1;
         }
@@ -37,18 +35,21 @@ public:
 
 private:
     int m_firstAxis;
-    int m_numAxes;
 };
+
+constexpr const char* AlongX = "translation of I along Xj";
+constexpr const char* AlongY = "translation of I along Yj";
+constexpr const char* AlongZ = "translation of I along Zj";
 
 }  // namespace
 
 AtPoint::AtPoint(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive(new TranslationalImpl("ATPOINT", 0, 3, I, J, name)) {}
+    : Primitive(new TranslationalImpl("ATPOINT", 0, {AlongX, AlongY, AlongZ}, I, J, name)) {}
 
 InLine::InLine(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive(new TranslationalImpl("INLINE", 0, 2, I, J, name)) {}
+    : Primitive(new TranslationalImpl("INLINE", 0, {AlongX, AlongY}, I, J, name)) {}
 
 InPlane::InPlane(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive(new TranslationalImpl("INPLANE", 2, 1, I, J, name)) {}
+    : Primitive(new TranslationalImpl("INPLANE", 2, {AlongZ}, I, J, name)) {}
 
 }  // namespace jprim

@@ -177,9 +177,9 @@ public:
 private:
     void makeStepper(const State& initial) {
         SimulationSummary& summary = m_outcome.summary;
-        const ConstraintReport report = analyzeConstraints(m_mechanism.getMatter(), initial);
-        summary.degreesOfFreedom = report.getDegreesOfFreedom();
-        summary.redundantEquations = report.getNumRedundant();
+        const ConstraintCount count = countFreedoms(m_mechanism.getMatter(), initial);
+        summary.degreesOfFreedom = count.getDegreesOfFreedom();
+        summary.redundantEquations = count.getNumRedundant();
         summary.isKinematic = isKinematic(m_mechanism, initial, summary.degreesOfFreedom, m_options.analysis);
         m_stepper = summary.isKinematic
                         ? makeKinematics(m_mechanism, initial, m_options)

@@ -2,26 +2,78 @@
 #ifndef JPRIM_ANALYSIS_CONSTRAINT_REPORT_H_
 #define JPRIM_ANALYSIS_CONSTRAINT_REPORT_H_
 
-#include "SimTKsimbody.h"
+#include <vector>
 
+#include "SimTKsimbody.h"
+#include "jprim/analysis/constraint_equations.h"
+
+/// @file
+/// How much the constraints of a system leave free, which of them say nothing new, and whether that is due to
+/// the position. Questions to any Simbody system; nothing is changed or removed.
+///
+/// Freedoms are counted by the rank of G, the Jacobian of all equations in use with respect to the speeds u:
+/// position, speed and acceleration equations alike. Rows and columns of G are first scaled to equal length,
+/// which takes out all units. Among the singular values of the result, the rank is where the ratio of one to
+/// the next is largest; there is no tolerance to choose. (Values above 10^-4 always count, and those below
+/// 10^-14 are zero.) Mobilities with prescribed motion count as free.
+///
+/// A State that satisfies its position equations to within 10^-3, but not to rounding, is first brought there
+/// (a copy of it), so that a loose assembly does not make dependent equations look independent.
 namespace jprim {
 
-/// How much the constraints of a system leave free.
-struct ConstraintReport {
-    int mobilities = 0;  ///< generalized speeds
-    int equations = 0;   ///< constraint equations in use
-    int rank = 0;        ///< independent ones among them, at the state analyzed
+/// Freedoms at one State.
+struct ConstraintCount {
+    int numMobilities = 0;  ///< generalized speeds
+    int numEquations = 0;   ///< in use
+    int rank = 0;           ///< independent ones among them
+
+    /// The singular values on both sides of the decision: of those that count the smallest, of those that do
+    /// not the largest. A wide gap is a sure decision; 0 if there are none.
+    SimTK::Real smallestKept = 0;
+    SimTK::Real largestDropped = 0;
 
     /// Grübler's count: what would be free if all equations were independent. May be negative.
-    int getGrueblerCount() const { return mobilities - equations; }
-    int getDegreesOfFreedom() const { return mobilities - rank; }
-    int getNumRedundant() const { return equations - rank; }
+    int getGrueblerCount() const { return numMobilities - numEquations; }
+    int getDegreesOfFreedom() const { return numMobilities - rank; }
+    int getNumRedundant() const { return numEquations - rank; }
 };
 
-/// Counts freedoms by the rank of the constraint Jacobian, scaled so that units do not matter. In a singular
-/// position the rank is that of the position. Mobilities with prescribed motion count as free. Requires
-/// Stage::Position.
-ConstraintReport analyzeConstraints(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state);
+/// An equation that follows from others.
+struct RedundantEquation {
+    int equation = 0;            ///< index into ConstraintReport::equations
+    std::vector<int> dependsOn;  ///< the equations it follows from; without any one of them it does not
+    bool onlyHere = false;       ///< independent in the positions nearby
+};
+
+/// The diagnosis of a State.
+struct ConstraintReport : ConstraintCount {
+    /// All equations in use, in the order of the elements.
+    std::vector<ConstraintEquation> equations;
+
+    /// The dependent ones; of equations that say the same the later are named. Those that depend everywhere
+    /// come first, then those that are onlyHere.
+    std::vector<RedundantEquation> redundant;
+
+    /// Degrees of freedom of nearly all admissible positions close by; equal to getDegreesOfFreedom() unless
+    /// the position is singular. Lower where directions in which the mechanism seems free lead nowhere, as in
+    /// a straightened pair of links between fixed ends.
+    int freedomsNearby = 0;
+
+    /// True if equations depend on each other here that do not nearby: a dead centre or a branching, where
+    /// the motion is not determined. Redundancy proper stays wherever the mechanism moves.
+    bool isSingularPosition() const { return freedomsNearby != getDegreesOfFreedom(); }
+};
+
+/// Counts and no more: what a simulation asks at its start. Requires Stage::Position.
+ConstraintCount countFreedoms(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state);
+
+/// The full diagnosis. Besides the State itself it looks at positions nearby, some hundredths of the
+/// mechanism's size away along a free direction and back on the constraints. Which direction is chosen at
+/// random, but the same for each call. Cost is cubic in the number of equations that hang together: well under
+/// a second for 500. Requires Stage::Position.
+/// @param names  what to call the constraints, see nameElements()
+ConstraintReport analyzeConstraints(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state,
+                                    const ElementNames& names = {});
 
 }  // namespace jprim
 

@@ -68,6 +68,10 @@ public:
     /// All of these, as Simbody's constraints.
     std::vector<SimTK::Constraint> getConstraints() const;
 
+    /// What equation k of the p-th primitive holds, in words and the axes of the joint's markers.
+    /// @throws Error if there is no such equation
+    std::string describeEquation(int p, int k) const;
+
     /// Switch all constraints off or on in this State. Requires Stage::Model.
     void disable(SimTK::State& state) const;
     void enable(SimTK::State& state) const;

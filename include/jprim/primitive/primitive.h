@@ -33,6 +33,12 @@ public:
     /// True if the equations are lengths and the reaction is a force; false if they are angles and it is a
     /// torque.
     bool isTranslational() const;
+    /// Number of equations, 1 to 3.
+    int getNumEquations() const;
+    /// What equation k = 0, 1 … holds, in words and the axes of the markers: "translation of I along Xj",
+    /// "rotation between Zi and Xj" for the angle between these two axes.
+    /// @throws Error if there is no such equation
+    std::string describeEquation(int k) const;
     ///@}
 
     /// @name Markers

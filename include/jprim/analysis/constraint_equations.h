@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_ANALYSIS_CONSTRAINT_EQUATIONS_H_
+#define JPRIM_ANALYSIS_CONSTRAINT_EQUATIONS_H_
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "SimTKsimbody.h"
+#include "jprim/joint/joint.h"
+
+/// @file
+/// The constraint equations of any Simbody system, named as a user knows them.
+namespace jprim {
+
+/// What an equation is written for: positions, g(q, t) = 0; speeds, not integrable; or accelerations alone.
+enum class EquationLevel { Holonomic, Nonholonomic, Acceleration };
+
+/// The word for a level: "holonomic", "nonholonomic", "acceleration".
+const char* getName(EquationLevel level);
+
+/// One equation that is in use in a State.
+struct ConstraintEquation {
+    std::string element;  ///< "JOINT/3 REVOLUTE"
+    std::string words;    ///< what it holds: "translation of I along Xj"
+    EquationLevel level = EquationLevel::Holonomic;
+    SimTK::ConstraintIndex constraint;  ///< the Simbody constraint it belongs to
+    int number = 0;                     ///< its place among that constraint's equations, from 0
+    int multiplier = 0;                 ///< its row in G and place among the multipliers
+    bool isLength = false;              ///< of a translational primitive; unknown, so false, of all else
+
+    /// "JOINT/3 REVOLUTE: translation of I along Xj".
+    std::string getText() const { return element + ": " + words; }
+};
+
+/// What the user calls a Simbody constraint.
+struct ElementName {
+    std::string element;
+    std::vector<std::string> equations;  ///< words for each; where they end, "equation 3"
+};
+using ElementNames = std::map<SimTK::ConstraintIndex, ElementName>;
+
+/// Names for the primitives that joints are made of: a REVOLUTE, not its ATPOINT and PARALLEL_AXES.
+ElementNames nameElements(const std::vector<Joint>& joints);
+
+/// All equations in use, in the order in which the constraints were added to the system. Constraints without
+/// a name are called by their type: a primitive by its own description, any other by its class and index,
+/// as in "Ball (constraint 4)". Requires Stage::Instance.
+std::vector<ConstraintEquation> findEquations(const SimTK::SimbodyMatterSubsystem& matter,
+                                              const SimTK::State& state, const ElementNames& names = {});
+
+}  // namespace jprim
+
+#endif

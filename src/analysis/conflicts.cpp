@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/analysis/conflicts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/described_primitive.h"
+#include "analysis/error_minimum.h"
+#include "analysis/rank.h"
+#include "analysis/scaled_equations.h"
+
+namespace jprim {
+
+using SimTK::Constraint;
+using SimTK::ConstraintIndex;
+using SimTK::Real;
+using SimTK::SimbodyMatterSubsystem;
+using SimTK::Stage;
+using SimTK::State;
+
+namespace {
+
+// The equations of a block that the stress runs through.
+Conflict findConflict(const Block& block, const ScaledEquations& equations, const ErrorMinimum& minimum) {
+    constexpr double Negligible = 1e-4;  // well above what is left of the descent
+    const double largest = minimum.errors(block.rows).lpNorm<Eigen::Infinity>();
+    Conflict conflict;
+    for (const int row : block.rows) {
+        if (std::abs(minimum.errors[row]) < Negligible * largest) continue;
+        conflict.equations.push_back(row);
+        conflict.errors.push_back(minimum.state.getQErr()[equations.getEquations()[size_t(row)].multiplier]);
+    }
+    return conflict;
+}
+
+// What the element is called in one equation's name.
+std::string findElement(const std::vector<ConstraintEquation>& equations, ConstraintIndex constraint) {
+    return std::find_if(equations.begin(), equations.end(),
+                        [constraint](const ConstraintEquation& e) { return e.constraint == constraint; })
+        ->element;
+}
+
+}  // namespace
+
+ConflictReport findConflicts(const SimbodyMatterSubsystem& matter, const State& given,
+                             const ElementNames& names) {
+    const ScaledEquations holonomic(matter, selectHolonomic(findEquations(matter, given, names)), given);
+    const ErrorMinimum minimum = minimizeErrors(holonomic, given);
+    ConflictReport report{holonomic.getEquations(), {}, minimum.state};
+    for (const Block& block : findBlocks(holonomic.calcJacobian(minimum.state))) {
+        constexpr double Met = 1e-9;
+        if (minimum.errors(block.rows).lpNorm<Eigen::Infinity>() > Met)
+            report.conflicts.push_back(findConflict(block, holonomic, minimum));
+    }
+    return report;
+}
+
+// A primitive that holds two angles or three has |e| = 2 sin(angle / 2).
+std::vector<FlippedAxes> findFlippedAxes(const SimbodyMatterSubsystem& matter, const State& state,
+                                         const ElementNames& names) {
+    const std::vector<ConstraintEquation> equations = findEquations(matter, state, names);
+    std::vector<FlippedAxes> flipped;
+    for (ConstraintIndex index(0); index < matter.getNumConstraints(); ++index) {
+        const Constraint& constraint = matter.getConstraint(index);
+        const PrimitiveImpl* primitive = findPrimitive(constraint);
+        if (!primitive || primitive->isTranslational() || primitive->getNumEquations() < 2 ||
+            constraint.isDisabled(state))
+            continue;
+        const Real size = constraint.getPositionErrorsAsVector(state).norm();
+        const Real angle = 2 * std::asin(std::min(size / 2, Real(1)));
+        if (angle <= SimTK::Pi / 2) continue;
+        flipped.push_back(
+            {findElement(equations, index), primitive->getNumEquations() == 2 ? "z axes" : "axes", angle});
+    }
+    return flipped;
+}
+
+}  // namespace jprim

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jprim/analysis/constraint_equations.h"
+
+#include <fmt/format.h>
+
+#include <typeinfo>
+
+#include "analysis/described_primitive.h"
+
+namespace jprim {
+
+using SimTK::Constraint;
+using SimTK::ConstraintIndex;
+using SimTK::MultiplierIndex;
+using SimTK::SimbodyMatterSubsystem;
+using SimTK::State;
+
+namespace {
+
+// A Custom constraint as its Implementation's class: Simbody's own derive from it too, and their
+// isInstanceOf() says yes to any Custom.
+std::string nameCustomType(const Constraint::Custom& constraint) {
+    std::string type = SimTK::demangle(typeid(CustomHandle(constraint).getImplementation()).name());
+    const std::string nested = "::Implementation", suffix = "Impl";
+    const auto removeEnding = [&type](const std::string& ending) {
+        if (type.size() > ending.size() && type.substr(type.size() - ending.size()) == ending)
+            type.resize(type.size() - ending.size());
+    };
+    removeEnding(nested);
+    removeEnding(suffix);
+    const size_t scope = type.rfind("::");
+    return scope == std::string::npos ? type : type.substr(scope + 2);
+}
+
+template <class Type>
+bool isInstanceOf(const Constraint& constraint) {
+    return Type::isInstanceOf(constraint);
+}
+
+struct TypeEntry {
+    const char* name;
+    bool (*matches)(const Constraint&);
+};
+
+const TypeEntry BuiltInTypes[] = {{"Rod", isInstanceOf<Constraint::Rod>},
+                                  {"Ball", isInstanceOf<Constraint::Ball>},
+                                  {"Weld", isInstanceOf<Constraint::Weld>},
+                                  {"PointInPlane", isInstanceOf<Constraint::PointInPlane>},
+                                  {"PointOnLine", isInstanceOf<Constraint::PointOnLine>},
+                                  {"ConstantAngle", isInstanceOf<Constraint::ConstantAngle>},
+                                  {"ConstantOrientation", isInstanceOf<Constraint::ConstantOrientation>},
+                                  {"NoSlip1D", isInstanceOf<Constraint::NoSlip1D>},
+                                  {"ConstantCoordinate", isInstanceOf<Constraint::ConstantCoordinate>},
+                                  {"ConstantSpeed", isInstanceOf<Constraint::ConstantSpeed>},
+                                  {"ConstantAcceleration", isInstanceOf<Constraint::ConstantAcceleration>},
+                                  {"LineOnLineContact", isInstanceOf<Constraint::LineOnLineContact>},
+                                  {"PointOnPlaneContact", isInstanceOf<Constraint::PointOnPlaneContact>},
+                                  {"SphereOnPlaneContact", isInstanceOf<Constraint::SphereOnPlaneContact>},
+                                  {"SphereOnSphereContact", isInstanceOf<Constraint::SphereOnSphereContact>}};
+
+std::string nameType(const Constraint& constraint) {
+    for (const TypeEntry& entry : BuiltInTypes)
+        if (entry.matches(constraint)) return entry.name;
+    if (Constraint::Custom::isInstanceOf(constraint))
+        return nameCustomType(Constraint::Custom::downcast(constraint));
+    return "Constraint";
+}
+
+// The name the user gave, else the primitive's own, else that of the class.
+ElementName findName(const Constraint& constraint, const ElementNames& names) {
+    const ConstraintIndex index = constraint.getConstraintIndex();
+    const auto given = names.find(index);
+    if (given != names.end()) return given->second;
+    const PrimitiveImpl* primitive = findPrimitive(constraint);
+    if (!primitive) return {fmt::format("{} (constraint {})", nameType(constraint), int(index)), {}};
+    ElementName name{primitive->getDescription(), {}};
+    for (int k = 0; k < primitive->getNumEquations(); ++k)
+        name.equations.push_back(primitive->describeEquation(k));
+    return name;
+}
+
+void appendEquations(const Constraint& constraint, const State& state, const ElementNames& names,
+                     std::vector<ConstraintEquation>& equations) {
+    int mp = 0, mv = 0, ma = 0;
+    constraint.getNumConstraintEquationsInUse(state, mp, mv, ma);
+    MultiplierIndex firstP, firstV, firstA;
+    constraint.getIndexOfMultipliersInUse(state, firstP, firstV, firstA);
+    const PrimitiveImpl* primitive = findPrimitive(constraint);
+    const ElementName name = findName(constraint, names);
+    int number = 0;
+    const auto append = [&](int count, MultiplierIndex first, EquationLevel level) {
+        for (int k = 0; k < count; ++k, ++number) {
+            const bool isNamed = number < int(name.equations.size());
+            equations.push_back({name.element,
+                                 isNamed ? name.equations[number] : fmt::format("equation {}", number + 1),
+                                 level, constraint.getConstraintIndex(), number, int(first) + k,
+                                 primitive && primitive->isTranslational()});
+        }
+    };
+    append(mp, firstP, EquationLevel::Holonomic);
+    append(mv, firstV, EquationLevel::Nonholonomic);
+    append(ma, firstA, EquationLevel::Acceleration);
+}
+
+}  // namespace
+
+const char* getName(EquationLevel level) {
+    switch (level) {
+        case EquationLevel::Holonomic: return "holonomic";
+        case EquationLevel::Nonholonomic: return "nonholonomic";
+        case EquationLevel::Acceleration: break;
+    }
+    return "acceleration";
+}
+
+ElementNames nameElements(const std::vector<Joint>& joints) {
+    ElementNames names;
+    for (const Joint& joint : joints)
+        for (int p = 0; p < int(joint.getPrimitives().size()); ++p) {
+            const Primitive& primitive = joint.getPrimitives()[p];
+            ElementName& name = names[primitive.getConstraintIndex()];
+            name.element = joint.getDescription();
+            for (int k = 0; k < primitive.getNumEquations(); ++k)
+                name.equations.push_back(joint.describeEquation(p, k));
+        }
+    return names;
+}
+
+std::vector<ConstraintEquation> findEquations(const SimbodyMatterSubsystem& matter, const State& state,
+                                              const ElementNames& names) {
+    std::vector<ConstraintEquation> equations;
+    for (ConstraintIndex index(0); index < matter.getNumConstraints(); ++index) {
+        const Constraint& constraint = matter.getConstraint(index);
+        if (!constraint.isDisabled(state)) appendEquations(constraint, state, names, equations);
+    }
+    return equations;
+}
+
+}  // namespace jprim

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_ANALYSIS_NEARBY_POSITIONS_H_
+#define JPRIM_SRC_ANALYSIS_NEARBY_POSITIONS_H_
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "analysis/rank.h"
+#include "analysis/scaled_equations.h"
+
+namespace jprim {
+
+/// The equations at another admissible position.
+struct NearbyPosition {
+    /// The scaled Jacobian there; in the rows of immobile blocks that of the position itself.
+    Eigen::MatrixXd A;
+    /// The blocks of the position's Decomposition that are free at first order and yet cannot be moved.
+    std::vector<int> immobileBlocks;
+};
+
+/// Moves along a random free direction and back on the constraints; tries again with another where that
+/// leads nowhere. If no try comes back on the constraints, the position itself is returned.
+/// @param state  admissible
+/// @param here   the scaled Jacobian's Decomposition there, with vectors
+NearbyPosition findNearbyPosition(const SimTK::SimbodyMatterSubsystem& matter, const ScaledEquations& scaled,
+                                  const SimTK::State& state, const Decomposition& here);
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/rank.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <random>
+
+namespace jprim {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+//---------------------------------------------------------------------------------------- blocks
+namespace {
+
+// Representatives of sets that are merged one by one.
+class Sets {
+public:
+    explicit Sets(int size) : m_parent(size_t(size)) { std::iota(m_parent.begin(), m_parent.end(), 0); }
+    int find(int i) {
+        while (m_parent[size_t(i)] != i) i = m_parent[size_t(i)] = m_parent[size_t(m_parent[size_t(i)])];
+        return i;
+    }
+    void merge(int i, int j) { m_parent[size_t(find(i))] = find(j); }
+
+private:
+    std::vector<int> m_parent;
+};
+
+}  // namespace
+
+std::vector<Block> findBlocks(const MatrixXd& A) {
+    const int m = int(A.rows()), n = int(A.cols());
+    Sets sets(m + n);
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < m; ++i)
+            if (A(i, j) != 0) sets.merge(i, m + j);
+    std::vector<Block> blocks;
+    std::vector<int> blockOf(size_t(m + n), -1);
+    for (int i = 0; i < m; ++i) {
+        int& block = blockOf[size_t(sets.find(i))];
+        if (block < 0) {
+            block = int(blocks.size());
+            blocks.emplace_back();
+        }
+        blocks[size_t(block)].rows.push_back(i);
+    }
+    for (int j = 0; j < n; ++j) {
+        const int block = blockOf[size_t(sets.find(m + j))];
+        if (block >= 0) blocks[size_t(block)].columns.push_back(j);
+    }
+    return blocks;
+}
+
+//------------------------------------------------------------------------------------------ rank
+RankDecision decideRank(const std::vector<double>& values) {
+    // Between these a value counts or not depending on its neighbours. The square root of Zero is thus the
+    // size at which a value that stands alone is in doubt: halfway between 1 and what rounding leaves.
+    constexpr double AlwaysKept = 1e-4, Zero = 1e-14;
+    RankDecision decision;
+    double widest = 0;
+    for (size_t r = 1; r <= values.size(); ++r) {
+        const double dropped = r < values.size() ? values[r] : 0;
+        const double ratio = values[r - 1] / std::max(dropped, Zero);
+        if (dropped > AlwaysKept || ratio <= widest) continue;
+        widest = ratio;
+        decision = {int(r), values[r - 1], dropped};
+    }
+    return decision;
+}
+
+Decomposition::Decomposition(const MatrixXd& A, Vectors vectors)
+    : m_numRows(int(A.rows())), m_numColumns(int(A.cols())), m_blocks(findBlocks(A)) {
+    std::vector<double> all;
+    for (const Block& block : m_blocks) {
+        const int options = vectors == Vectors::Both ? Eigen::ComputeFullU | Eigen::ComputeFullV : 0;
+        if (block.columns.empty()) {
+            m_values.emplace_back();
+            m_leftNull.push_back(MatrixXd::Identity(1, 1));
+            m_rightNull.emplace_back(0, 0);
+            continue;
+        }
+        const Eigen::BDCSVD<MatrixXd> svd(A(block.rows, block.columns), options);
+        m_values.push_back(svd.singularValues());
+        all.insert(all.end(), m_values.back().begin(), m_values.back().end());
+        m_leftNull.push_back(vectors == Vectors::Both ? svd.matrixU() : MatrixXd());
+        m_rightNull.push_back(vectors == Vectors::Both ? svd.matrixV() : MatrixXd());
+    }
+    std::sort(all.begin(), all.end(), std::greater<>());
+    m_decision = decideRank(all);
+    if (vectors == Vectors::Both) keepNullSpaces();
+}
+
+void Decomposition::keepNullSpaces() {
+    for (size_t b = 0; b < m_blocks.size(); ++b) {
+        const VectorXd& values = m_values[b];
+        const auto isKept = [this](double value) { return value >= m_decision.smallestKept; };
+        const auto rank = std::count_if(values.begin(), values.end(), isKept);
+        m_leftNull[b] = MatrixXd(m_leftNull[b].rightCols(m_leftNull[b].cols() - rank));
+        m_rightNull[b] = MatrixXd(m_rightNull[b].rightCols(m_rightNull[b].cols() - rank));
+    }
+}
+
+MatrixXd Decomposition::calcLeftNullSpace() const {
+    MatrixXd space = MatrixXd::Zero(m_numRows, m_numRows - getRank());
+    int first = 0;
+    for (size_t b = 0; b < m_blocks.size(); ++b) {
+        const int count = int(m_leftNull[b].cols());
+        space(m_blocks[b].rows, Eigen::seqN(first, count)) = m_leftNull[b];
+        first += count;
+    }
+    return space;
+}
+
+VectorXd Decomposition::calcRandomNullVector(unsigned seed) const {
+    std::mt19937 generator(seed);
+    const auto draw = [&generator] { return double(generator()) / generator.max() - 0.5; };
+    VectorXd y = VectorXd::Zero(m_numColumns);
+    for (size_t b = 0; b < m_blocks.size(); ++b) {
+        if (m_rightNull[b].cols() == 0) continue;
+        const VectorXd part = m_rightNull[b] * VectorXd::NullaryExpr(m_rightNull[b].cols(),
+                                                                     [&](Eigen::Index) { return draw(); });
+        y(m_blocks[b].columns) = part / part.lpNorm<Eigen::Infinity>();
+    }
+    return y;
+}
+
+//---------------------------------------------------------------------------------- dependencies
+// The null space is brought to echelon form from its last row upwards: a row whose entries in the columns
+// left over are not all zero is the last of some vanishing combination of rows, so it depends on those before
+// it. A reflection leaves one column with an entry there. In the end the columns are cleared of each other's
+// rows, and each reads: this row plus independent ones is zero.
+std::vector<DependentRow> findDependentRows(MatrixXd N) {
+    constexpr double Negligible = 1e-6;  // entries of unit vectors that are zero but for errors
+    std::vector<DependentRow> dependent;
+    int left = int(N.cols());
+    for (int row = int(N.rows()) - 1; row >= 0 && left > 0; --row) {
+        const VectorXd entries = N.row(row).head(left);
+        if (entries.norm() < Negligible) continue;
+        VectorXd normal = entries;
+        normal[left - 1] += std::copysign(entries.norm(), entries[left - 1]);
+        normal.normalize();
+        const VectorXd image = N.leftCols(left) * normal;
+        N.leftCols(left) -= 2 * image * normal.transpose();
+        N.row(row).head(left - 1).setZero();
+        dependent.push_back({row, {}});
+        --left;
+    }
+    // Rows were found from last to first, and the k-th found owns the k-th column from the end.
+    std::reverse(dependent.begin(), dependent.end());
+    N = MatrixXd(N.rightCols(int(dependent.size())));
+    for (int k = 0; k < int(dependent.size()); ++k) {
+        for (int earlier = 0; earlier < k; ++earlier) {
+            const int row = dependent[size_t(earlier)].row;
+            N.col(k) -= N.col(earlier) * (N(row, k) / N(row, earlier));
+            N(row, k) = 0;
+        }
+        const double largest = N.col(k).lpNorm<Eigen::Infinity>();
+        for (int i = 0; i < dependent[size_t(k)].row; ++i)
+            if (std::abs(N(i, k)) > Negligible * largest) dependent[size_t(k)].on.push_back(i);
+    }
+    return dependent;
+}
+
+}  // namespace jprim

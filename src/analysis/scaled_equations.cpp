@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/scaled_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace jprim {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using SimTK::SimbodyMatterSubsystem;
+using SimTK::Stage;
+using SimTK::State;
+
+namespace {
+
+// The size of one unit of each speed: the angular velocity that it is, or else the velocity.
+struct Mobilities {
+    VectorXd angular, linear;
+};
+
+Mobilities measureMobilities(const SimbodyMatterSubsystem& matter, const State& state) {
+    Mobilities sizes{VectorXd::Zero(state.getNU()), VectorXd::Zero(state.getNU())};
+    for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b) {
+        const SimTK::MobilizedBody& body = matter.getMobilizedBody(b);
+        for (SimTK::MobilizerUIndex k(0); k < body.getNumU(state); ++k) {
+            const SimTK::SpatialVec V = body.getHCol(state, k);
+            const int j = int(body.getFirstUIndex(state)) + int(k);
+            sizes.angular[j] = V[0].norm();
+            sizes.linear[j] = sizes.angular[j] > 0 ? 0 : V[1].norm();
+        }
+    }
+    return sizes;
+}
+
+// Columns that stand for a turn of 1 rad, or a shift of L: the root mean square of all levers, which are what
+// an equation says about a turn divided by what it says about a shift.
+VectorXd measureColumns(const MatrixXd& G, const Mobilities& sizes) {
+    const auto invert = [](double size) { return size > 0 ? 1 / size : 0; };
+    const VectorXd perTurn = sizes.angular.unaryExpr(invert), perShift = sizes.linear.unaryExpr(invert);
+    double turns = 0, shifts = 0;
+    for (int i = 0; i < G.rows(); ++i) {
+        const double shift = G.row(i).transpose().cwiseProduct(perShift).squaredNorm();
+        shifts += shift;
+        if (shift > 0) turns += G.row(i).transpose().cwiseProduct(perTurn).squaredNorm();
+    }
+    const double L = turns > 0 && shifts > 0 ? std::sqrt(turns / shifts) : 1;
+    return perTurn + L * perShift;
+}
+
+// To length 1; what is zero stays.
+void normalizeColumns(MatrixXd& A, VectorXd& scale) {
+    for (int j = 0; j < A.cols(); ++j) {
+        const double length = A.col(j).norm();
+        if (length == 0) continue;
+        A.col(j) /= length;
+        scale[j] /= length;
+    }
+}
+
+void normalizeRows(MatrixXd& A, VectorXd& scale) {
+    for (int i = 0; i < A.rows(); ++i) {
+        const double length = A.row(i).norm();
+        if (length == 0) continue;
+        A.row(i) /= length;
+        scale[i] /= length;
+    }
+}
+
+}  // namespace
+
+ScaledEquations::ScaledEquations(const SimbodyMatterSubsystem& matter,
+                                 std::vector<ConstraintEquation> equations, const State& state)
+    : m_matter(matter), m_equations(std::move(equations)) {
+    // Units are out before the first pass, so it does not matter that the passes need not converge: zeros may
+    // forbid equal lengths.
+    constexpr int NumPasses = 3;
+    const MatrixXd G = calcUnscaledJacobian(state);
+    m_columnScale = measureColumns(G, measureMobilities(matter, state));
+    MatrixXd A = G * m_columnScale.asDiagonal();
+    m_rowScale = VectorXd::Ones(A.rows());
+    normalizeRows(A, m_rowScale);
+    for (int pass = 0; pass < NumPasses; ++pass) {
+        normalizeColumns(A, m_columnScale);
+        normalizeRows(A, m_rowScale);
+    }
+}
+
+void ScaledEquations::realize(const State& state) const {
+    m_matter.getSystem().realize(state, Stage::Velocity);
+}
+
+MatrixXd ScaledEquations::calcUnscaledJacobian(const State& state) const {
+    realize(state);
+    SimTK::Matrix G;
+    m_matter.calcG(state, G);
+    MatrixXd A(int(m_equations.size()), state.getNU());
+    for (int i = 0; i < A.rows(); ++i)
+        for (int j = 0; j < A.cols(); ++j) A(i, j) = G(m_equations[size_t(i)].multiplier, j);
+    return A;
+}
+
+MatrixXd ScaledEquations::calcJacobian(const State& state) const {
+    return m_rowScale.asDiagonal() * calcUnscaledJacobian(state) * m_columnScale.asDiagonal();
+}
+
+VectorXd ScaledEquations::calcErrors(const State& state) const {
+    realize(state);
+    VectorXd errors = VectorXd::Zero(int(m_equations.size()));
+    for (int i = 0; i < errors.size(); ++i) {
+        const ConstraintEquation& equation = m_equations[size_t(i)];
+        if (equation.level == EquationLevel::Holonomic)
+            errors[i] = m_rowScale[i] * state.getQErr()[equation.multiplier];
+    }
+    return errors;
+}
+
+State ScaledEquations::move(const State& state, const VectorXd& u) const {
+    realize(state);
+    SimTK::Vector change;
+    m_matter.multiplyByN(state, false, SimTK::Vector(int(u.size()), u.data()), change);
+    State moved = state;
+    moved.updQ() += change;
+    m_matter.getSystem().realize(moved, Stage::Time);
+    m_matter.normalizeQuaternions(moved);
+    return moved;
+}
+
+std::vector<ConstraintEquation> selectHolonomic(const std::vector<ConstraintEquation>& equations) {
+    std::vector<ConstraintEquation> selected;
+    std::copy_if(equations.begin(), equations.end(), std::back_inserter(selected),
+                 [](const ConstraintEquation& e) { return e.level == EquationLevel::Holonomic; });
+    return selected;
+}
+
+}  // namespace jprim
