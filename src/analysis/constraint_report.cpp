@@ -51,28 +51,17 @@ std::vector<RedundantEquation> findLostHere(const MatrixXd& here,
     return lost;
 }
 
-std::vector<RedundantEquation> findRedundant(const Decomposition& decomposition) {
+// What is dependent at the nearby position. Where a freedom V leads nowhere there is none: then self-stresses x,
+// ~x A = 0, that resist it at second order, ~x dA V != 0, are due to the position, and those that do not are
+// redundancy proper.
+std::vector<RedundantEquation> findDependentNearby(const NearbyPosition& nearby) {
+    MatrixXd X = Decomposition(nearby.A, Vectors::Both).calcLeftNullSpace();
+    if (nearby.obstruction.cols() > 0)
+        X *= Decomposition(X.transpose() * nearby.obstruction, Vectors::Both).calcLeftNullSpace();
     std::vector<RedundantEquation> redundant;
-    for (const DependentRow& dependent : findDependentRows(decomposition.calcLeftNullSpace()))
+    for (const DependentRow& dependent : findDependentRows(X))
         redundant.push_back({dependent.row, dependent.on, false});
     return redundant;
-}
-
-// In a part of the mechanism that is free at first order only, everything that hangs together with its
-// freedoms depends on the position; what is dependent beyond those freedoms is so anyway.
-void markImmobile(const Decomposition& here, const std::vector<int>& immobileBlocks,
-                  std::vector<RedundantEquation>& redundant) {
-    for (const int b : immobileBlocks) {
-        const std::vector<int>& rows = here.getBlocks()[size_t(b)].rows;
-        int count = here.getNullity(b);
-        for (auto r = redundant.rbegin(); r != redundant.rend() && count > 0; ++r) {
-            if (!std::binary_search(rows.begin(), rows.end(), r->equation)) continue;
-            r->onlyHere = true;
-            --count;
-        }
-    }
-    std::stable_partition(redundant.begin(), redundant.end(),
-                          [](const RedundantEquation& r) { return !r.onlyHere; });
 }
 
 }  // namespace
@@ -97,13 +86,10 @@ ConstraintReport analyzeConstraints(const SimbodyMatterSubsystem& matter, const 
     if (report.getNumRedundant() == 0) return report;
 
     const NearbyPosition nearby = findNearbyPosition(matter, scaled, state, here);
-    const Decomposition there(nearby.A, Vectors::Both);
-    report.redundant = findRedundant(there);
-    report.freedomsNearby = int(A.cols()) - there.getRank();
-    for (const int b : nearby.immobileBlocks) report.freedomsNearby -= here.getNullity(b);
+    report.redundant = findDependentNearby(nearby);
+    report.freedomsNearby = report.getGrueblerCount() + int(report.redundant.size());
     if (report.isSingularPosition()) {
         const std::vector<RedundantEquation> lost = findLostHere(A, report.redundant);
-        markImmobile(here, nearby.immobileBlocks, report.redundant);
         report.redundant.insert(report.redundant.end(), lost.begin(), lost.end());
     }
     return report;

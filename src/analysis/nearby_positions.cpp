@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analysis/nearby_positions.h"
 
-#include <algorithm>
+#include <vector>
 
 #include "analysis/error_minimum.h"
 
@@ -31,6 +31,17 @@ std::vector<int> findImmobileBlocks(const Decomposition& here, const VectorXd& m
     return immobile;
 }
 
+// dA V by a central difference along a general one of the motions V.
+MatrixXd calcObstruction(const ScaledEquations& scaled, const State& state, const MatrixXd& V) {
+    constexpr double Small = 1e-4, Noise = 1e-5;  // the difference is exact to Small^2
+    if (V.cols() == 0) return MatrixXd(scaled.getEquations().size(), 0);
+    const VectorXd u = Small * V.rowwise().sum().cwiseProduct(scaled.getColumnScale());
+    const MatrixXd ahead = scaled.calcJacobian(scaled.move(state, u));
+    const MatrixXd behind = scaled.calcJacobian(scaled.move(state, -u));
+    const MatrixXd dA_V = (ahead - behind) * V / (2 * Small);
+    return (dA_V.array().abs() > Noise).select(dA_V, 0);
+}
+
 }  // namespace
 
 NearbyPosition findNearbyPosition(const SimbodyMatterSubsystem& matter, const ScaledEquations& scaled,
@@ -38,24 +49,27 @@ NearbyPosition findNearbyPosition(const SimbodyMatterSubsystem& matter, const Sc
     constexpr unsigned NumTries = 3;
     const MatrixXd A = scaled.calcJacobian(state);
     const ScaledEquations holonomic(matter, selectHolonomic(scaled.getEquations()), state);
-    NearbyPosition best{A, {}};
+    MatrixXd best = A;
+    std::vector<int> immobile;
     bool found = false;
     for (unsigned seed = 1; seed <= NumTries; ++seed) {
         const VectorXd away = Step * here.calcRandomNullVector(seed).cwiseProduct(scaled.getColumnScale());
         const ErrorMinimum back = minimizeErrors(holonomic, scaled.move(state, away));
         if (!back.isMet()) continue;
         const VectorXd motion = (away + back.displacement).cwiseQuotient(scaled.getColumnScale());
-        const std::vector<int> immobile = findImmobileBlocks(here, motion);
-        if (found && immobile.size() >= best.immobileBlocks.size()) continue;
+        const std::vector<int> nowImmobile = findImmobileBlocks(here, motion);
+        if (found && nowImmobile.size() >= immobile.size()) continue;
         found = true;
-        best = {scaled.calcJacobian(back.state), immobile};
+        immobile = nowImmobile;
+        best = scaled.calcJacobian(back.state);
         if (immobile.empty()) break;
     }
-    for (const int b : best.immobileBlocks) {
-        const std::vector<int>& rows = here.getBlocks()[size_t(b)].rows;
-        best.A(rows, Eigen::all) = A(rows, Eigen::all);
+    for (const int b : immobile) {
+        const Block& block = here.getBlocks()[size_t(b)];
+        best(block.rows, Eigen::all) = A(block.rows, Eigen::all);
+        best(Eigen::all, block.columns) = A(Eigen::all, block.columns);
     }
-    return best;
+    return {best, calcObstruction(scaled, state, here.calcRightNullSpace(immobile))};
 }
 
 }  // namespace jprim

@@ -3,7 +3,6 @@
 #define JPRIM_SRC_ANALYSIS_NEARBY_POSITIONS_H_
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
@@ -12,10 +11,11 @@ namespace jprim {
 
 /// The equations at another admissible position.
 struct NearbyPosition {
-    /// The scaled Jacobian there; in the rows of immobile blocks that of the position itself.
+    /// The scaled Jacobian there; in the rows and columns of immobile blocks that of the position itself.
     Eigen::MatrixXd A;
-    /// The blocks of the position's Decomposition that are free at first order and yet cannot be moved.
-    std::vector<int> immobileBlocks;
+    /// For freedoms V of the position that lead nowhere: dA V, with dA the change of A along one of them.
+    /// No columns if all lead somewhere.
+    Eigen::MatrixXd obstruction;
 };
 
 /// Moves along a random free direction and back on the constraints; tries again with another where that

@@ -114,6 +114,18 @@ MatrixXd Decomposition::calcLeftNullSpace() const {
     return space;
 }
 
+MatrixXd Decomposition::calcRightNullSpace(const std::vector<int>& blocks) const {
+    int size = 0;
+    for (const int b : blocks) size += getNullity(b);
+    MatrixXd space = MatrixXd::Zero(m_numColumns, size);
+    int first = 0;
+    for (const int b : blocks) {
+        space(m_blocks[size_t(b)].columns, Eigen::seqN(first, getNullity(b))) = m_rightNull[size_t(b)];
+        first += getNullity(b);
+    }
+    return space;
+}
+
 VectorXd Decomposition::calcRandomNullVector(unsigned seed) const {
     std::mt19937 generator(seed);
     const auto draw = [&generator] { return double(generator()) / generator.max() - 0.5; };

@@ -38,6 +38,8 @@ public:
     int getNullity(int block) const { return int(m_rightNull[size_t(block)].cols()); }
     /// Orthonormal x with ~x A = 0, by columns. Vectors::Both.
     Eigen::MatrixXd calcLeftNullSpace() const;
+    /// Orthonormal y with A y = 0 of some of the blocks, by columns. Vectors::Both.
+    Eigen::MatrixXd calcRightNullSpace(const std::vector<int>& blocks) const;
     /// A vector y with A y = 0 that has a random part in every block, with largest entry 1 there, and 0 in
     /// columns of zeros. The same for the same seed. Vectors::Both.
     Eigen::VectorXd calcRandomNullVector(unsigned seed) const;

@@ -34,38 +34,26 @@ Mobilities measureMobilities(const SimbodyMatterSubsystem& matter, const State& 
     return sizes;
 }
 
-// Columns that stand for a turn of 1 rad, or a shift of L: the root mean square of all levers, which are what
-// an equation says about a turn divided by what it says about a shift.
-VectorXd measureColumns(const MatrixXd& G, const Mobilities& sizes) {
+// Lengths of each row's turns and shifts, with columns that stand for 1 rad and 1 length unit.
+struct RowSizes {
+    VectorXd turn, shift;
+};
+
+RowSizes measureRows(const MatrixXd& G, const Mobilities& sizes) {
     const auto invert = [](double size) { return size > 0 ? 1 / size : 0; };
-    const VectorXd perTurn = sizes.angular.unaryExpr(invert), perShift = sizes.linear.unaryExpr(invert);
+    return {(G * sizes.angular.unaryExpr(invert).asDiagonal()).rowwise().norm(),
+            (G * sizes.linear.unaryExpr(invert).asDiagonal()).rowwise().norm()};
+}
+
+// The root mean square of all levers: what an equation says about a turn by what it says about a shift.
+double calcLength(const RowSizes& rows) {
     double turns = 0, shifts = 0;
-    for (int i = 0; i < G.rows(); ++i) {
-        const double shift = G.row(i).transpose().cwiseProduct(perShift).squaredNorm();
-        shifts += shift;
-        if (shift > 0) turns += G.row(i).transpose().cwiseProduct(perTurn).squaredNorm();
+    for (int i = 0; i < rows.shift.size(); ++i) {
+        if (rows.shift[i] == 0) continue;
+        turns += rows.turn[i] * rows.turn[i];
+        shifts += rows.shift[i] * rows.shift[i];
     }
-    const double L = turns > 0 && shifts > 0 ? std::sqrt(turns / shifts) : 1;
-    return perTurn + L * perShift;
-}
-
-// To length 1; what is zero stays.
-void normalizeColumns(MatrixXd& A, VectorXd& scale) {
-    for (int j = 0; j < A.cols(); ++j) {
-        const double length = A.col(j).norm();
-        if (length == 0) continue;
-        A.col(j) /= length;
-        scale[j] /= length;
-    }
-}
-
-void normalizeRows(MatrixXd& A, VectorXd& scale) {
-    for (int i = 0; i < A.rows(); ++i) {
-        const double length = A.row(i).norm();
-        if (length == 0) continue;
-        A.row(i) /= length;
-        scale[i] /= length;
-    }
+    return turns > 0 ? std::sqrt(turns / shifts) : 1;
 }
 
 }  // namespace
@@ -73,18 +61,12 @@ void normalizeRows(MatrixXd& A, VectorXd& scale) {
 ScaledEquations::ScaledEquations(const SimbodyMatterSubsystem& matter,
                                  std::vector<ConstraintEquation> equations, const State& state)
     : m_matter(matter), m_equations(std::move(equations)) {
-    // Units are out before the first pass, so it does not matter that the passes need not converge: zeros may
-    // forbid equal lengths.
-    constexpr int NumPasses = 3;
+    const auto invert = [](double size) { return size > 0 ? 1 / size : 1; };
     const MatrixXd G = calcUnscaledJacobian(state);
-    m_columnScale = measureColumns(G, measureMobilities(matter, state));
-    MatrixXd A = G * m_columnScale.asDiagonal();
-    m_rowScale = VectorXd::Ones(A.rows());
-    normalizeRows(A, m_rowScale);
-    for (int pass = 0; pass < NumPasses; ++pass) {
-        normalizeColumns(A, m_columnScale);
-        normalizeRows(A, m_rowScale);
-    }
+    const RowSizes rows = measureRows(G, measureMobilities(matter, state));
+    const VectorXd sizes = (rows.shift.array() > 0).select(calcLength(rows) * rows.shift, rows.turn);
+    m_rowScale = sizes.unaryExpr(invert);
+    m_columnScale = (m_rowScale.asDiagonal() * G).colwise().norm().transpose().unaryExpr(invert);
 }
 
 void ScaledEquations::realize(const State& state) const {

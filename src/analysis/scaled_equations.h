@@ -9,11 +9,13 @@
 
 namespace jprim {
 
-/// Some equations of a system and their Jacobian, free of units: A = R G C with diagonal R and C. Columns stand
-/// for turns of 1 rad and shifts of the mechanism's length, rows have length 1; then columns and rows are
-/// brought nearer to equal lengths, so that a small part counts as a large one does. Another unit for an
-/// equation or a speed changes R or C and not A. Both are those of one State, so that errors R e stay
-/// comparable from one position to the next.
+/// Some equations of a system and their Jacobian, free of units: A = R G C with diagonal R and C.
+///
+/// R divides an equation that feels shifts by what a shift of the mechanism's length L does to it, others by
+/// what a turn of 1 rad does. It is the same for the equations of one ATPOINT, so scaled errors have no
+/// favourite direction. L is the root mean square of all levers. C then makes all columns of A 1 long: a small
+/// part counts as a large one does. Another unit for an equation or a speed changes R or C and not A. Both are
+/// those of one State, so that errors R e stay comparable from one position to the next.
 ///
 /// A motion is a vector u of speeds times a unit of time; scaled, y = u / C. An entry of 1 turns or shifts
 /// something by about the size of the mechanism.

@@ -33,8 +33,8 @@ struct ConflictReport {
 /// Goes downhill in the sum of squares of the scaled errors e of the position equations, to where no small
 /// motion makes it less: G^T e = 0. There e, if it is not zero, is a state of self-stress: forces in
 /// equilibrium that the equations in conflict exert on each other, and its nonzero entries say which they are.
-/// Scaling makes the rows of the Jacobian G equally long and free of units. A local search: from another State
-/// the conflict may be another, or none. Requires Stage::Position.
+/// Lengths are scaled by the mechanism's length, angles by 1 rad. A local search: from another State the
+/// conflict may be another, or none. Requires Stage::Position.
 /// @param names  what to call the constraints, see nameElements()
 ConflictReport findConflicts(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state,
                              const ElementNames& names = {});

@@ -12,8 +12,8 @@
 /// the position. Questions to any Simbody system; nothing is changed or removed.
 ///
 /// Freedoms are counted by the rank of G, the Jacobian of all equations in use with respect to the speeds u:
-/// position, speed and acceleration equations alike. Rows and columns of G are first scaled to equal length,
-/// which takes out all units. Among the singular values of the result, the rank is where the ratio of one to
+/// position, speed and acceleration equations alike. G is first scaled by the mechanism's length and such
+/// that all columns are equally long, which takes out all units. Among the singular values of the result, the rank is where the ratio of one to
 /// the next is largest; there is no tolerance to choose. (Values above 10^-4 always count, and those below
 /// 10^-14 are zero.) Mobilities with prescribed motion count as free.
 ///
