@@ -6,6 +6,7 @@
 
 #include "analysis/described_primitive.h"
 #include "analysis/error_minimum.h"
+#include "analysis/random_vector.h"
 #include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
 
@@ -19,6 +20,20 @@ using SimTK::Stage;
 using SimTK::State;
 
 namespace {
+
+// The nearest minimum. A symmetric start, such as links in line, may lead to a stationary point that is none;
+// from there a nudge goes further down.
+ErrorMinimum findLeastErrors(const ScaledEquations& equations, const State& given) {
+    constexpr int MostSteps = 300;
+    constexpr double Nudge = 0.01, Lower = 0.999;
+    ErrorMinimum minimum = minimizeErrors(equations, given, MostSteps);
+    if (minimum.isMet()) return minimum;
+    std::mt19937 generator;
+    const Eigen::VectorXd u = Nudge * makeRandomVector(given.getNU(), generator);
+    const State nudged = equations.move(minimum.state, u.cwiseProduct(equations.getColumnScale()));
+    const ErrorMinimum second = minimizeErrors(equations, nudged, MostSteps);
+    return second.errors.norm() < Lower * minimum.errors.norm() ? second : minimum;
+}
 
 // The equations of a block that the stress runs through.
 Conflict findConflict(const Block& block, const ScaledEquations& equations, const ErrorMinimum& minimum) {
@@ -45,7 +60,7 @@ std::string findElement(const std::vector<ConstraintEquation>& equations, Constr
 ConflictReport findConflicts(const SimbodyMatterSubsystem& matter, const State& given,
                              const ElementNames& names) {
     const ScaledEquations holonomic(matter, selectHolonomic(findEquations(matter, given, names)), given);
-    const ErrorMinimum minimum = minimizeErrors(holonomic, given);
+    const ErrorMinimum minimum = findLeastErrors(holonomic, given);
     ConflictReport report{holonomic.getEquations(), {}, minimum.state};
     for (const Block& block : findBlocks(holonomic.calcJacobian(minimum.state))) {
         constexpr double Met = 1e-9;

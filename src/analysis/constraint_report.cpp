@@ -22,11 +22,12 @@ using Vectors = Decomposition::Vectors;
 State findAdmissible(const SimbodyMatterSubsystem& matter, const State& given,
                      const std::vector<ConstraintEquation>& equations) {
     constexpr double Met = 1e-13, Near = 1e-3;
+    constexpr int MostSteps = 40;
     const ScaledEquations holonomic(matter, selectHolonomic(equations), given);
     const Eigen::VectorXd errors = holonomic.calcErrors(given);
     const double largest = errors.size() > 0 ? errors.lpNorm<Eigen::Infinity>() : 0;
     if (largest <= Met || largest > Near) return given;
-    const ErrorMinimum minimum = minimizeErrors(holonomic, given);
+    const ErrorMinimum minimum = minimizeErrors(holonomic, given, MostSteps);
     return minimum.isMet() ? minimum.state : given;
 }
 

@@ -55,12 +55,11 @@ bool ErrorMinimum::isMet() const {
     return calcLargest(errors) < Rounding;
 }
 
-ErrorMinimum minimizeErrors(const ScaledEquations& equations, const State& start) {
-    constexpr int MostSteps = 300;
+ErrorMinimum minimizeErrors(const ScaledEquations& equations, const State& start, int mostSteps) {
     constexpr double Target = 1e-14, FirstDamping = 1e-3;
     ErrorMinimum minimum{start, equations.calcErrors(start), VectorXd::Zero(start.getNU())};
     double damping = FirstDamping;
-    for (int k = 0; k < MostSteps && calcLargest(minimum.errors) > Target; ++k)
+    for (int k = 0; k < mostSteps && calcLargest(minimum.errors) > Target; ++k)
         if (!descend(equations, damping, minimum)) break;
     return minimum;
 }

@@ -19,8 +19,9 @@ struct ErrorMinimum {
 };
 
 /// Levenberg and Marquardt's way down from a State to the next local minimum of |R e|^2. The equations must be
-/// holonomic.
-ErrorMinimum minimizeErrors(const ScaledEquations& equations, const SimTK::State& start);
+/// holonomic. Back onto constraints from nearby takes a handful of steps, or some twenty if that is a singular
+/// position; to a conflict, where convergence is linear, it can take hundreds.
+ErrorMinimum minimizeErrors(const ScaledEquations& equations, const SimTK::State& start, int mostSteps);
 
 }  // namespace jprim
 

@@ -47,6 +47,7 @@ MatrixXd calcObstruction(const ScaledEquations& scaled, const State& state, cons
 NearbyPosition findNearbyPosition(const SimbodyMatterSubsystem& matter, const ScaledEquations& scaled,
                                   const State& state, const Decomposition& here) {
     constexpr unsigned NumTries = 3;
+    constexpr int MostSteps = 40;
     const MatrixXd A = scaled.calcJacobian(state);
     const ScaledEquations holonomic(matter, selectHolonomic(scaled.getEquations()), state);
     MatrixXd best = A;
@@ -54,7 +55,7 @@ NearbyPosition findNearbyPosition(const SimbodyMatterSubsystem& matter, const Sc
     bool found = false;
     for (unsigned seed = 1; seed <= NumTries; ++seed) {
         const VectorXd away = Step * here.calcRandomNullVector(seed).cwiseProduct(scaled.getColumnScale());
-        const ErrorMinimum back = minimizeErrors(holonomic, scaled.move(state, away));
+        const ErrorMinimum back = minimizeErrors(holonomic, scaled.move(state, away), MostSteps);
         if (!back.isMet()) continue;
         const VectorXd motion = (away + back.displacement).cwiseQuotient(scaled.getColumnScale());
         const std::vector<int> nowImmobile = findImmobileBlocks(here, motion);

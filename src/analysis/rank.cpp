@@ -7,6 +7,8 @@
 #include <numeric>
 #include <random>
 
+#include "analysis/random_vector.h"
+
 namespace jprim {
 
 using Eigen::MatrixXd;
@@ -128,12 +130,10 @@ MatrixXd Decomposition::calcRightNullSpace(const std::vector<int>& blocks) const
 
 VectorXd Decomposition::calcRandomNullVector(unsigned seed) const {
     std::mt19937 generator(seed);
-    const auto draw = [&generator] { return double(generator()) / generator.max() - 0.5; };
     VectorXd y = VectorXd::Zero(m_numColumns);
     for (size_t b = 0; b < m_blocks.size(); ++b) {
         if (m_rightNull[b].cols() == 0) continue;
-        const VectorXd part = m_rightNull[b] * VectorXd::NullaryExpr(m_rightNull[b].cols(),
-                                                                     [&](Eigen::Index) { return draw(); });
+        const VectorXd part = m_rightNull[b] * makeRandomVector(m_rightNull[b].cols(), generator);
         y(m_blocks[b].columns) = part / part.lpNorm<Eigen::Infinity>();
     }
     return y;

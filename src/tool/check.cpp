@@ -1,92 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
-#include "jprim/analysis/constraint_report.h"
-#include "jprim/base/error.h"
-#include "jprim/simulation/assemble.h"
-#include "tool/commands.h"
+#include "tool/check_report.h"
 
 namespace jprim::tool {
 
+using SimTK::Stage;
+using SimTK::State;
+
 namespace {
 
-struct CheckReport {
-    Model model;
-    ConstraintReport constraints;
-    AssembledState assembled;
-};
-
-void printText(const CheckReport& r) {
-    const UnitSystem& units = r.model.mechanism->getUnits();
-    const std::string length = getLengthName(r.model.dataset);
-    const auto printViolation = [&](const char* when, const Violation& v) {
-        fmt::print("constraint error {:<8}{:.3g} {}, {:.3g} rad{}\n", when, v.length / units.length, length,
-                   v.angle, v.element.empty() ? "" : fmt::format(" (at {})", v.element));
-    };
-    const Dataset& d = r.model.dataset;
-    fmt::print("statements              {} built, {} ignored by rule\n", d.counts.built, d.counts.ignored);
-    fmt::print("parts                   {} (ground included)\n", d.parts.size());
-    if (!d.flexBodies.empty()) fmt::print("flexible bodies         {}\n", d.flexBodies.size());
-    fmt::print("markers                 {}\n", d.markers.size());
-    fmt::print("JPRIM                   {}\n", d.jprims.size());
-    fmt::print("JOINT                   {}\n", d.joints.size());
-    fmt::print("requests                {}\n", d.requests.size());
-    fmt::print("Gruebler count          {}\n", r.constraints.getGrueblerCount());
-    fmt::print("degrees of freedom      {}\n", r.constraints.getDegreesOfFreedom());
-    fmt::print("redundant equations     {}\n", r.constraints.getNumRedundant());
-    printViolation("given", r.assembled.before);
-    printViolation("after", r.assembled.after);
-    for (const MovedPart& part : r.assembled.moved)
-        fmt::print("moved by assembly       {} by {:.3g} {} and {:.3g} rad\n", part.part,
-                   part.distance / units.length, length, part.angle);
+ElementNames nameElements(const Mechanism& mechanism) {
+    std::vector<Joint> joints;
+    for (const Connection& connection : mechanism.getConnections()) joints.push_back(connection.joint);
+    return jprim::nameElements(joints);
 }
 
-void printJson(const CheckReport& r) {
-    const UnitSystem& units = r.model.mechanism->getUnits();
-    const auto violation = [&units](const Violation& v) {
-        return nlohmann::ordered_json{
-            {"length", v.length / units.length}, {"angle", v.angle}, {"element", v.element}};
-    };
-    nlohmann::ordered_json moved = nlohmann::ordered_json::array();
-    for (const MovedPart& part : r.assembled.moved)
-        moved.push_back(
-            {{"part", part.part}, {"distance", part.distance / units.length}, {"angle", part.angle}});
-    const Dataset& d = r.model.dataset;
-    const nlohmann::ordered_json json = {
-        {"usable", true},
-        {"statements",
-         {{"built", d.counts.built}, {"ignored", d.counts.ignored}, {"errors", d.counts.errors}}},
-        {"parts", d.parts.size()},
-        {"flexible_bodies", d.flexBodies.size()},
-        {"markers", d.markers.size()},
-        {"jprims", d.jprims.size()},
-        {"joints", d.joints.size()},
-        {"requests", d.requests.size()},
-        {"gruebler_count", r.constraints.getGrueblerCount()},
-        {"degrees_of_freedom", r.constraints.getDegreesOfFreedom()},
-        {"redundant_equations", r.constraints.getNumRedundant()},
-        {"violation_given", violation(r.assembled.before)},
-        {"violation_after_assembly", violation(r.assembled.after)},
-        {"moved", moved}};
-    fmt::print("{}\n", json.dump(2));
+void countElements(CheckReport& report) {
+    for (const Connection& connection : report.model.mechanism->getConnections()) {
+        const std::string kind = connection.name.substr(0, connection.name.find('/'));
+        ++report.elements[kind][connection.joint.getAdamsType()];
+    }
 }
 
-// What went to standard error as text, once more for machines.
-ExitCode printUnusable(const CheckArguments& arguments, const Model& model, const std::string& failure) {
-    if (!arguments.json) return DatasetHasErrors;
-    nlohmann::ordered_json messages = nlohmann::ordered_json::array();
-    for (const Diagnostic& diagnostic : model.diagnostics)
-        messages.push_back({{"severity", diagnostic.severity == Severity::Error ? "error" : "warning"},
-                            {"line", diagnostic.where.line},
-                            {"column", diagnostic.where.column},
-                            {"message", diagnostic.message}});
-    if (!failure.empty())
-        messages.push_back({{"severity", "error"}, {"line", 0}, {"column", 0}, {"message", failure}});
-    const nlohmann::ordered_json json = {{"usable", false}, {"messages", messages}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-    return DatasetHasErrors;
+State getGivenState(const Mechanism& mechanism) {
+    State state = mechanism.getSystem().realizeTopology();
+    mechanism.getSystem().realize(state, Stage::Position);
+    return state;
+}
+
+AssemblyFailure diagnoseFailure(const Mechanism& mechanism, const State& given, const std::string& message) {
+    const ElementNames names = nameElements(mechanism);
+    AssemblyFailure failure{message, findConflicts(mechanism.getMatter(), given, names), {}, {}};
+    const State& nearest = failure.conflicts.state;
+    mechanism.getSystem().realize(nearest, Stage::Position);
+    failure.left = calcViolation(mechanism, nearest);
+    failure.flipped = findFlippedAxes(mechanism.getMatter(), nearest, names);
+    return failure;
+}
+
+// Fills in everything that follows from the model.
+void diagnose(CheckReport& report) {
+    const Mechanism& mechanism = *report.model.mechanism;
+    countElements(report);
+    const State given = getGivenState(mechanism);
+    report.given = calcViolation(mechanism, given);
+    try {
+        report.assembled = assemble(mechanism);
+        report.constraints =
+            analyzeConstraints(mechanism.getMatter(), report.assembled->state, nameElements(mechanism));
+    } catch (const std::exception& error) {
+        report.failure = diagnoseFailure(mechanism, given, error.what());
+        report.constraints.numMobilities = given.getNU();
+        report.constraints.numEquations = int(findEquations(mechanism.getMatter(), given).size());
+    }
 }
 
 }  // namespace
@@ -94,19 +59,13 @@ ExitCode printUnusable(const CheckArguments& arguments, const Model& model, cons
 ExitCode check(const CheckArguments& arguments) {
     CheckReport report;
     report.model = loadModel(arguments.model);
-    if (!report.model.mechanism) return printUnusable(arguments, report.model, "");
-    try {
-        report.assembled = assemble(*report.model.mechanism);
-    } catch (const std::exception& error) {
-        printError(arguments.model, error.what());
-        return printUnusable(arguments, report.model, error.what());
-    }
-    report.constraints = analyzeConstraints(report.model.mechanism->getMatter(), report.assembled.state);
+    if (report.model.mechanism) diagnose(report);
+    if (report.failure) printError(arguments.model, report.failure->message);
     if (arguments.json)
         printJson(report);
-    else
+    else if (report.model.mechanism)
         printText(report);
-    return Done;
+    return report.isUsable() ? Done : DatasetHasErrors;
 }
 
 }  // namespace jprim::tool

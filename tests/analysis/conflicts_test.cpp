@@ -84,6 +84,19 @@ TEST(Conflicts, FourBarThatCannotClose) {
     EXPECT_NEAR(sum, 10 - 1 - 2 - 3, Converged);
 }
 
+// Drawn in line and folded back, by symmetry no motion makes the gap less to first order; any to the side does.
+TEST(Conflicts, AStationaryPointIsNotTheLeast) {
+    FreeBodies rod;
+    rod.addBody(Transform(Rotation(SimTK::Pi, SimTK::ZAxis)));
+    rod.addJoint(Joint::Spherical, rod.mark(0, Vec3(0)), rod.mark(Ground, Vec3(0)));
+    rod.addJoint(Joint::Spherical, rod.mark(0, Vec3(-1, 0, 0)), rod.mark(Ground, Vec3(3, 0, 0)));
+    const ConflictReport report = analyze(rod);
+    ASSERT_EQ(report.conflicts.size(), 1u);
+    double sum = 0;
+    for (const double error : report.conflicts[0].errors) sum += std::abs(error);
+    EXPECT_NEAR(sum, 3 - 1, Converged);
+}
+
 // Two mechanisms apart, two conflicts.
 TEST(Conflicts, WhatDoesNotHangTogetherIsToldApart) {
     FreeBodies rods;

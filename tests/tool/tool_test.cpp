@@ -195,26 +195,4 @@ TEST_F(Tool, OutputThatIsLostFailsWith1) {
     EXPECT_EQ(WEXITSTATUS(status), 1);
 }
 
-TEST_F(Tool, CheckCounts) {
-    const Outcome text = run("check " + write("p.adm", Pendulum));
-    EXPECT_EQ(text.exitCode, 0);
-    EXPECT_NE(text.out.find("degrees of freedom      1\n"), std::string::npos) << text.out;
-    const nlohmann::json json = nlohmann::json::parse(run("check --json " + write("p.adm", Pendulum)).out);
-    EXPECT_EQ(json["usable"], true);
-    EXPECT_EQ(json["gruebler_count"], 1);
-    EXPECT_EQ(json["degrees_of_freedom"], 1);
-    EXPECT_EQ(json["redundant_equations"], 0);
-    EXPECT_EQ(json["statements"]["built"], 9);
-    EXPECT_EQ(json["moved"].size(), 0u);
-}
-
-TEST_F(Tool, CheckCountsRedundantEquations) {
-    // A second hinge on the same axis repeats all five equations.
-    const std::string twice = Pendulum.substr(0, Pendulum.size() - 4) + "JOINT/2,REVOLUTE,I=10,J=21\nEND\n";
-    const nlohmann::json json = nlohmann::json::parse(run("check --json " + write("p.adm", twice)).out);
-    EXPECT_EQ(json["gruebler_count"], -4);
-    EXPECT_EQ(json["degrees_of_freedom"], 1);
-    EXPECT_EQ(json["redundant_equations"], 5);
-}
-
 }  // namespace

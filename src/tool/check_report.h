@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_TOOL_CHECK_REPORT_H_
+#define JPRIM_SRC_TOOL_CHECK_REPORT_H_
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jprim/analysis/conflicts.h"
+#include "jprim/analysis/constraint_report.h"
+#include "jprim/simulation/assemble.h"
+#include "tool/commands.h"
+
+namespace jprim::tool {
+
+/// Where assembly failed: what is left at the best position found.
+struct AssemblyFailure {
+    std::string message;
+    ConflictReport conflicts;
+    Violation left;
+    std::vector<FlippedAxes> flipped;
+};
+
+/// All that `jprim check` has to say, in the mechanism's units. A dataset with errors has a model without
+/// mechanism and nothing else; one that cannot be assembled a failure and no assembled State.
+struct CheckReport {
+    Model model;
+    /// How many there are of each kind of element and type: {"JOINT", {{"REVOLUTE", 4}}}.
+    std::map<std::string, std::map<std::string, int>> elements;
+    Violation given;
+    std::optional<AssembledState> assembled;
+    /// In the assembled position; if there is none, mobilities and equations are counted and no more, for
+    /// freedoms of a position that does not exist mean nothing.
+    ConstraintReport constraints;
+    std::optional<AssemblyFailure> failure;
+
+    bool isUsable() const { return assembled.has_value(); }
+};
+
+void printText(const CheckReport& report);
+void printJson(const CheckReport& report);
+
+}  // namespace jprim::tool
+
+#endif

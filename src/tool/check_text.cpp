@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "tool/check_report.h"
+
+namespace jprim::tool {
+
+using SimTK::Real;
+
+namespace {
+
+/// Lines of a label and what follows it.
+class Printer {
+public:
+    explicit Printer(const CheckReport& report)
+        : m_report(report),
+          m_units(report.model.mechanism->getUnits()),
+          m_length(getLengthName(report.model.dataset)) {}
+
+    void printCounts() const;
+    void printGruebler() const;
+    void printFreedoms() const;
+    void printRedundant() const;
+    void printViolation(const char* when, const Violation& violation) const;
+    void printMoved() const;
+    void printConflicts() const;
+    void printFlipped() const;
+
+private:
+    template <class Value>
+    static void printLine(const std::string& label, const Value& value) {
+        fmt::print("{:<24}{}\n", label, value);
+    }
+    std::string formatError(const ConstraintEquation& equation, Real error) const {
+        return equation.isLength ? fmt::format("{:.3g} {}", error / m_units.length, m_length)
+                                 : fmt::format("{:.3g} rad", error);
+    }
+
+    const CheckReport& m_report;
+    const UnitSystem& m_units;
+    std::string m_length;
+};
+
+// "JOINT/1 REVOLUTE (translation of I along Xj, rotation between Zi and Xj), JOINT/2 …"
+std::string formatByElement(const std::vector<ConstraintEquation>& equations, const std::vector<int>& some) {
+    std::string text;
+    for (size_t k = 0; k < some.size(); ++k) {
+        const ConstraintEquation& equation = equations[size_t(some[k])];
+        const bool isSame = k > 0 && equations[size_t(some[k - 1])].element == equation.element;
+        if (isSame)
+            text += ", " + equation.words;
+        else
+            text += (k > 0 ? "), " : "") + equation.element + " (" + equation.words;
+    }
+    return text + ")";
+}
+
+void Printer::printCounts() const {
+    const Dataset& d = m_report.model.dataset;
+    printLine("statements", fmt::format("{} built, {} ignored by rule", d.counts.built, d.counts.ignored));
+    printLine("parts", fmt::format("{} (ground included)", d.parts.size()));
+    if (!d.flexBodies.empty()) printLine("flexible bodies", d.flexBodies.size());
+    printLine("markers", d.markers.size());
+    for (const auto& [kind, types] : m_report.elements) {
+        int sum = 0;
+        std::vector<std::string> parts;
+        for (const auto& [type, count] : types) {
+            sum += count;
+            parts.push_back(fmt::format("{} {}", count, type));
+        }
+        printLine(kind, fmt::format("{} ({})", sum, fmt::join(parts, ", ")));
+    }
+    printLine("requests", d.requests.size());
+}
+
+void Printer::printGruebler() const {
+    printLine("equations", m_report.constraints.numEquations);
+    printLine("Gruebler count", m_report.constraints.getGrueblerCount());
+}
+
+void Printer::printFreedoms() const {
+    const ConstraintReport& c = m_report.constraints;
+    printLine("degrees of freedom", c.getDegreesOfFreedom());
+    printLine("redundant equations", c.getNumRedundant());
+    printLine("rank decided between", fmt::format("{:.2g} and {:.2g}", c.smallestKept, c.largestDropped));
+    if (c.isSingularPosition())
+        printLine("singular position", fmt::format("degrees of freedom nearby: {}", c.freedomsNearby));
+}
+
+void Printer::printRedundant() const {
+    const ConstraintReport& c = m_report.constraints;
+    for (const RedundantEquation& r : c.redundant) {
+        const ConstraintEquation& equation = c.equations[size_t(r.equation)];
+        const std::string level =
+            equation.level == EquationLevel::Holonomic ? "" : fmt::format(" ({})", getName(equation.level));
+        printLine(r.onlyHere ? "redundant only here" : "redundant", equation.getText() + level);
+        printLine("    follows from", r.dependsOn.empty() ? "nothing: it asks for nothing"
+                                                          : formatByElement(c.equations, r.dependsOn));
+    }
+}
+
+void Printer::printViolation(const char* when, const Violation& v) const {
+    fmt::print("constraint error {:<8}{:.3g} {}, {:.3g} rad{}\n", when, v.length / m_units.length, m_length,
+               v.angle, v.element.empty() ? "" : fmt::format(" (at {})", v.element));
+}
+
+void Printer::printMoved() const {
+    for (const MovedPart& part : m_report.assembled->moved)
+        printLine("moved by assembly", fmt::format("{} by {:.3g} {} and {:.3g} rad", part.part,
+                                                   part.distance / m_units.length, m_length, part.angle));
+}
+
+void Printer::printConflicts() const {
+    const ConflictReport& report = m_report.failure->conflicts;
+    if (report.isAssembled()) {
+        printLine("no conflict", "the equations alone can be met near the given positions");
+        return;
+    }
+    for (const Conflict& conflict : report.conflicts) {
+        printLine("conflict",
+                  fmt::format("{} equations cannot be met together; left are", conflict.equations.size()));
+        for (size_t k = 0; k < conflict.equations.size(); ++k) {
+            const ConstraintEquation& equation = report.equations[size_t(conflict.equations[k])];
+            printLine("", equation.getText() + ": " + formatError(equation, conflict.errors[k]));
+        }
+    }
+}
+
+void Printer::printFlipped() const {
+    for (const FlippedAxes& axes : m_report.failure->flipped)
+        printLine("flipped", fmt::format("{}: the {} of I and J are {:.4g} degrees apart", axes.element,
+                                         axes.axes, axes.angle * SimTK_RADIAN_TO_DEGREE));
+}
+
+}  // namespace
+
+void printText(const CheckReport& report) {
+    const Printer printer(report);
+    printer.printCounts();
+    printer.printGruebler();
+    if (report.assembled) {
+        printer.printFreedoms();
+        printer.printRedundant();
+        printer.printViolation("given", report.given);
+        printer.printViolation("after", report.assembled->after);
+        printer.printMoved();
+    } else {
+        printer.printViolation("given", report.given);
+        printer.printViolation("least", report.failure->left);
+        printer.printConflicts();
+        printer.printFlipped();
+    }
+}
+
+}  // namespace jprim::tool

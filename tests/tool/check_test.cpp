@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `jprim check` says, to people and to machines.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tool/tool_fixture.h"
+
+namespace {
+
+using jprim::testing::Outcome;
+using jprim::testing::Tool;
+using Json = nlohmann::json;
+
+const std::string Pendulum =
+    "pendulum\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\nACCGRAV/KGRAV=-9806.65\n"
+    "PART/1,GROUND\nMARKER/10,REULER=180D,90D,180D\n"
+    "PART/2,MASS=1,CM=20,IP=4E4,1E5,1E5\nMARKER/20,QP=2000,0,0\nMARKER/21,REULER=180D,90D,180D\n"
+    "JOINT/1,REVOLUTE,I=10,J=21\nREQUEST/7,DISPLACEMENT,I=20\nEND\n";
+
+// Links of 1, 2 and 1 m, lying flat along a base; the coupler is drawn too high by some mm.
+std::string makeFourBar(double base, double tooHigh) {
+    return "four-bar\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\n"
+           "PART/1,GROUND\nMARKER/10\nMARKER/11,QP=" +
+           std::to_string(base) +
+           ",0,0\n"
+           "PART/2,MASS=1,CM=20,IP=4E4,1E5,1E5\nMARKER/20,QP=500,0,0\nMARKER/21\nMARKER/22,QP=1000,0,0\n"
+           "PART/3,MASS=1,CM=30,IP=4E4,1E5,1E5,QG=1000," +
+           std::to_string(tooHigh) +
+           ",0\n"
+           "MARKER/30,QP=1000,0,0\nMARKER/31\nMARKER/32,QP=2000,0,0\n"
+           "PART/4,MASS=1,CM=40,IP=4E4,1E5,1E5,QG=2000,0,0\n"
+           "MARKER/40,QP=500,0,0\nMARKER/41\nMARKER/42,QP=1000,0,0\n"
+           "JPRIM/1,ATPOINT,I=21,J=10\nJPRIM/2,PARALLEL_AXES,I=21,J=10\nJOINT/2,REVOLUTE,I=31,J=22\n"
+           "JOINT/3,REVOLUTE,I=42,J=32\nJOINT/4,REVOLUTE,I=41,J=11\nEND\n";
+}
+
+void expectLines(const std::string& text, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines)
+        EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+}
+
+TEST_F(Tool, CheckCounts) {
+    const Outcome text = run("check " + write("p.adm", Pendulum));
+    EXPECT_EQ(text.exitCode, 0);
+    EXPECT_NE(text.out.find("degrees of freedom      1\n"), std::string::npos) << text.out;
+    const nlohmann::json json = nlohmann::json::parse(run("check --json " + write("p.adm", Pendulum)).out);
+    EXPECT_EQ(json["usable"], true);
+    EXPECT_EQ(json["gruebler_count"], 1);
+    EXPECT_EQ(json["degrees_of_freedom"], 1);
+    EXPECT_EQ(json["redundant_equations"], 0);
+    EXPECT_EQ(json["statements"]["built"], 9);
+    EXPECT_EQ(json["moved"].size(), 0u);
+}
+
+TEST_F(Tool, CheckCountsRedundantEquations) {
+    // A second hinge on the same axis repeats all five equations.
+    const std::string twice = Pendulum.substr(0, Pendulum.size() - 4) + "JOINT/2,REVOLUTE,I=10,J=21\nEND\n";
+    const nlohmann::json json = nlohmann::json::parse(run("check --json " + write("p.adm", twice)).out);
+    EXPECT_EQ(json["gruebler_count"], -4);
+    EXPECT_EQ(json["degrees_of_freedom"], 1);
+    EXPECT_EQ(json["redundant_equations"], 5);
+}
+
+TEST_F(Tool, CheckNamesRedundantEquations) {
+    const Outcome text = run("check " + write("fb.adm", makeFourBar(2000, 10)));
+    EXPECT_EQ(text.exitCode, 0) << text.err;
+    expectLines(
+        text.out,
+        {"JOINT                   3 (3 REVOLUTE)\n",
+         "JPRIM                   2 (1 ATPOINT, 1 PARALLEL_AXES)\n", "equations               20\n",
+         "Gruebler count          -2\n", "degrees of freedom      1\n", "redundant equations     3\n",
+         "rank decided between    ", "redundant               JOINT/4 REVOLUTE: translation of I along Zj\n",
+         "redundant               JOINT/4 REVOLUTE: rotation between Zi and Xj\n"
+         "    follows from        JPRIM/2 PARALLEL_AXES (rotation between Zi and Xj), JOINT/2 REVOLUTE (",
+         "constraint error given   10 MILLIMETER, 0 rad (at JOINT/2)\n", "constraint error after   ",
+         "moved by assembly       PART/3 by "});
+    EXPECT_EQ(text.out.find("singular"), std::string::npos);
+    EXPECT_EQ(text.out.find("only here"), std::string::npos);
+
+    const Json json = Json::parse(run("check --json " + write("fb.adm", makeFourBar(2000, 10))).out);
+    EXPECT_EQ(json["elements"]["JPRIM"]["ATPOINT"], 1);
+    EXPECT_EQ(json["elements"]["JOINT"]["REVOLUTE"], 3);
+    EXPECT_EQ(json["singular_position"], false);
+    ASSERT_EQ(json["redundant"].size(), 3u);
+    const Json& first = json["redundant"][0];
+    EXPECT_EQ(first["element"], "JOINT/4 REVOLUTE");
+    EXPECT_EQ(first["equation"], "translation of I along Zj");
+    EXPECT_EQ(first["level"], "holonomic");
+    EXPECT_EQ(first["only_here"], false);
+    EXPECT_EQ(first["follows_from"][0]["element"], "JPRIM/1 ATPOINT");
+    EXPECT_EQ(json["moved"].size(), 3u);
+}
+
+TEST_F(Tool, CheckTellsASingularPosition) {
+    const std::string model = write("flat.adm", makeFourBar(2000, 0));
+    const Outcome text = run("check " + model);
+    EXPECT_EQ(text.exitCode, 0);
+    expectLines(text.out, {"degrees of freedom      2\n", "redundant equations     4\n",
+                           "singular position       degrees of freedom nearby: 1\n",
+                           "redundant only here     JOINT/4 REVOLUTE: translation of I along Xj\n"});
+    const Json json = Json::parse(run("check --json " + model).out);
+    EXPECT_EQ(json["singular_position"], true);
+    EXPECT_EQ(json["degrees_of_freedom_nearby"], 1);
+    EXPECT_EQ(json["redundant"][3]["only_here"], true);
+}
+
+// A base of 5 m leaves links of 4 m a gap of 1 m.
+TEST_F(Tool, CheckNamesWhatIsInConflict) {
+    const std::string model = write("long.adm", makeFourBar(5000, 0));
+    const Outcome text = run("check " + model);
+    EXPECT_EQ(text.exitCode, 3);
+    EXPECT_NE(text.err.find("the parts cannot be assembled"), std::string::npos) << text.err;
+    expectLines(
+        text.out,
+        {"Gruebler count          -2\n", "constraint error given   3e+03 MILLIMETER, 0 rad (at JOINT/4)\n",
+         "constraint error least   ", "conflict                4 equations cannot be met together",
+         "JOINT/2 REVOLUTE: translation of I along Xj: "});
+    EXPECT_EQ(text.out.find("degrees of freedom"), std::string::npos);
+
+    const Json json = Json::parse(run("check --json " + model).out);
+    EXPECT_EQ(json["usable"], false);
+    ASSERT_EQ(json["conflicts"].size(), 1u);
+    double gap = 0;
+    std::string elements;
+    for (const Json& equation : json["conflicts"][0]) {
+        gap += std::abs(double(equation["error"]));
+        elements += std::string(equation["element"]) + ";";
+        EXPECT_EQ(equation["unit"], "length");
+    }
+    constexpr double Converged = 1e-3;  // mm
+    EXPECT_NEAR(gap, 1000, Converged);
+    EXPECT_EQ(elements, "JPRIM/1 ATPOINT;JOINT/2 REVOLUTE;JOINT/3 REVOLUTE;JOINT/4 REVOLUTE;");
+    EXPECT_EQ(json["flipped"].size(), 0u);
+}
+
+// What EXACT holds is not a conflict of equations.
+TEST_F(Tool, CheckSaysWhenOnlyExactIsInTheWay) {
+    std::string held = makeFourBar(2000, 10);
+    for (const char* part : {"QG=1000,10.000000,0", "QG=2000,0,0"})
+        held.insert(held.find(part) + std::string(part).size(), ",EXACT=X:Y:Z:PSI:THETA:PHI");
+    const Outcome text = run("check " + write("held.adm", held));
+    EXPECT_EQ(text.exitCode, 3);
+    EXPECT_NE(text.err.find("held by EXACT"), std::string::npos) << text.err;
+    expectLines(text.out,
+                {"no conflict             the equations alone can be met near the given positions\n"});
+}
+
+}  // namespace
