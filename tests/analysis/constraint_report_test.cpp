@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "analysis/free_bodies.h"
+#include "jprim/flexible/reduce_to_modes.h"
+#include "support/steel_beam.h"
 
 namespace jprim {
 namespace {
@@ -200,6 +202,30 @@ TEST(ConstraintReport, UnitsDoNotMatter) {
         EXPECT_NEAR(other.smallestKept, metres.smallestKept, Rounding);
         EXPECT_LT(other.largestDropped, Rounding);
         EXPECT_EQ(getRedundantTexts(other), getRedundantTexts(metres));
+    }
+}
+
+// What is redundant on a rigid bar is not on one that bends and stretches: with all 6 deformations of its ends
+// and one mode inside, two hinges on one axis take 10 of 6 + 7 freedoms.
+TEST(ConstraintReport, FlexibleBodies) {
+    SimTK::MultibodySystem system;
+    SimTK::SimbodyMatterSubsystem matter(system);
+    SimTK::GeneralForceSubsystem forces(system);
+    const FiniteElementModel mesh = makeFiniteElementModel(testing::makeSteelBeam(4));
+    const FlexibleBody beam(matter, forces, reduceToModes(mesh, {{{1}, 0, {}}, {{5}, 0, {}}}, 1));
+    const Transform X(Rotation(SimTK::Pi / 2, SimTK::YAxis));  // z along the beam
+    Joint::Revolute(Marker(beam, 1, X), Marker(matter.Ground(), X), "JOINT/1");
+    Joint::Revolute(Marker(beam, 5, X), Marker(matter.Ground(), Transform(X.R(), Vec3(2, 0, 0))), "JOINT/2");
+    Joint::Revolute(Marker(beam, 5, X), Marker(matter.Ground(), Transform(X.R(), Vec3(2, 0, 0))), "JOINT/3");
+    const State state = system.realizeTopology();
+    system.realize(state, Stage::Position);
+    const ConstraintReport report = analyzeConstraints(matter, state);
+    EXPECT_EQ(report.getGrueblerCount(), 6 + 7 - 15);
+    EXPECT_EQ(report.getDegreesOfFreedom(), 6 + 7 - 10);
+    ASSERT_EQ(report.redundant.size(), 5u);
+    for (const RedundantEquation& r : report.redundant) {
+        EXPECT_EQ(report.equations[size_t(r.equation)].element.find("JOINT/3"), 0u);
+        EXPECT_EQ(r.dependsOn, std::vector<int>{r.equation - 5});
     }
 }
 

@@ -13,13 +13,14 @@ using testing::getRedundantTexts;
 using testing::makeHinge;
 constexpr int Ground = FreeBodies::Ground;
 
-// Hinges across a plane at the points (x, y); the last link is Ground.
+// Hinges across an oblique plane at the points (x, y) in it; the last link is Ground.
 void addPlaneLoop(FreeBodies& loop, const std::vector<Vec3>& points) {
+    const SimTK::Rotation R = makeHinge(Vec3(0), Vec3(0.3, -0.5, 0.8)).R();
     const int numLinks = int(points.size()) - 1;
     int before = Ground;
     for (int k = 0; k <= numLinks; ++k) {
-        const int link = k == numLinks ? Ground : loop.addBody(points[size_t(k)]);
-        loop.addJoint(Joint::Revolute, link, before, makeHinge(points[size_t(k)], Vec3(0, 0, 1)));
+        const int link = k == numLinks ? Ground : loop.addBody(R * points[size_t(k)]);
+        loop.addJoint(Joint::Revolute, link, before, makeHinge(R * points[size_t(k)], R.z()));
         before = link;
     }
 }
