@@ -82,8 +82,8 @@ public:
 /// - STEP STEP5 HAVSIN IF IMPACT BISTOP POLY CHEBY SHF FORSIN FORCOS AKISPL CUBSPL
 /// - UV, the direction of a vector
 ///
-/// Brackets and powers may be nested 200 deep, and a text may have 100,000 characters. A constant part without a finite value, such as 1/0, is an error. The time taken is proportional to the
-/// length of the text.
+/// Brackets and powers may be nested 200 deep, and a text may have 100,000 characters; the time taken is
+/// proportional to its length. A constant part without a finite value, such as 1/0, is an error.
 /// @throws ExpressionError
 Operand compileExpression(std::string_view text, ProgramBuilder& builder, Vocabulary& vocabulary);
 

@@ -11,9 +11,9 @@ namespace jprim {
 /// A workspace in which a Program is run again and again. All memory is taken at construction.
 ///
 /// Derivatives are exact. With time: two derivatives along a given motion are one chain rule per operation.
-/// With respect to the inputs: the chain rule backwards through the same operations. Both together are
-/// shorter than the use of a library would be: CppAD records another tape for each branch taken and takes
-/// memory while it does, and neither knows vectors of three.
+/// With respect to the inputs: the chain rule backwards through the same operations. A library would not make
+/// this shorter: CppAD records another tape for each branch taken, and takes memory while it does; Sacado comes
+/// with all of Trilinos; and vectors of three are scalars to both.
 ///
 /// Where a derivative does not exist it is that of the branch taken (MAX, MIN, IF, the ends of STEP), or
 /// zero (ABS at 0, the norm of a zero vector, AINT at a jump, SQRT at 0): one that is not finite counts as
@@ -50,13 +50,14 @@ public:
     SimTK::Real getAngle(int k) const;
 
 private:
-    Program m_program;
-    Registers m_registers;
     template <class Access>
     void run();
+    // Passes the gradient of what the instruction wrote on to its arguments.
     void goBack(const Instruction& instruction, SimTK::Real gradient);
     void goBack(const Instruction& instruction, const SimTK::Vec3& gradient);
 
+    Program m_program;
+    Registers m_registers;
     // Of the result with respect to each register.
     std::vector<SimTK::Real> m_scalarGradients;
     std::vector<SimTK::Vec3> m_vectorGradients;

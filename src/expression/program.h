@@ -81,7 +81,8 @@ private:
 /// the parser checks shapes and reports them to the user. Operations on constants are done at once.
 class ProgramBuilder {
 public:
-    /// Inputs: what the evaluator supplies. Numbered from 0, scalars and vectors apart.
+    /// Inputs: what the evaluator supplies. Numbered from 0, scalars and vectors apart; that is not the index of
+    /// the operand.
     Operand addScalarInput(InputLevel level);
     Operand addVectorInput(InputLevel level);
     /// Simulation time [s]; the same scalar input whenever asked for.
@@ -95,8 +96,8 @@ public:
     Operand add(Operand a, Operand b);       // both scalars or both vectors
     Operand subtract(Operand a, Operand b);  // likewise
     Operand negate(Operand a);
-    Operand multiply(Operand a,
-                     Operand b);           // scalar*scalar, scalar*vector, vector*scalar; dot of two vectors
+    /// Scalar times scalar, scalar times vector in either order, or the dot product of two vectors.
+    Operand multiply(Operand a, Operand b);
     Operand divide(Operand a, Operand b);  // by a scalar
     Operand cross(Operand a, Operand b);
     Operand norm(Operand a);       // derivatives of a zero vector's norm: zero
