@@ -75,9 +75,11 @@ const ArgumentRule* StatementReader::readName(std::size_t& offset) {
 // An argument may be given once, and of those that exclude each other only one.
 bool StatementReader::checkGiven(const ArgumentRule& rule, std::size_t offset) {
     for (const auto& [given, where] : m_given) {
+        if (given == &rule && rule.repeatable) break;
         if (given == &rule)
             addError(offset, fmt::format("{} is given twice", describe(rule)));
-        else if (rule.kind == ArgumentKind::Choice && given->kind == ArgumentKind::Choice)
+        else if (rule.kind == ArgumentKind::Choice && given->kind == ArgumentKind::Choice &&
+                 rule.group == given->group)
             addError(offset, fmt::format("{} cannot be both {} and {}", getName(), given->name, rule.name));
         else
             continue;
@@ -100,7 +102,7 @@ bool StatementReader::readEquals(const ArgumentRule& rule, std::size_t offset) {
 }
 
 bool StatementReader::readArgument(ArgumentValue& value) {
-    value = {};
+    value.clear();
     value.row = NoRow;
     if (!beginArgument()) return false;
     std::size_t offset = 0;
@@ -121,15 +123,16 @@ bool StatementReader::checkMandatory() {
     // After an error the missing argument may be the misspelt one.
     if (hasErrors()) return false;
     std::string choices;
+    bool chosen = false;
     for (const ArgumentRule& rule : *m_rules) {
         if (!rule.mandatory) continue;
-        if (rule.kind == ArgumentKind::Choice)
+        if (rule.kind == ArgumentKind::Choice) {
             choices += (choices.empty() ? "" : ", ") + std::string(rule.name);
-        else if (!has(rule.name))
+            chosen = chosen || has(rule.name);
+        } else if (!has(rule.name))
             addError(0, fmt::format("{} needs {}: {}=", getName(), rule.name, rule.name));
     }
-    if (!choices.empty() && !has(ArgumentKind::Choice))
-        addError(0, fmt::format("{} needs a type: {}", getName(), choices));
+    if (!choices.empty() && !chosen) addError(0, fmt::format("{} needs a type: {}", getName(), choices));
     return !hasErrors();
 }
 

@@ -16,26 +16,33 @@ bool isNumeric(ArgumentKind kind) {
 }
 
 bool isReference(ArgumentKind kind) {
-    return kind == ArgumentKind::Part || kind == ArgumentKind::FlexBody || kind == ArgumentKind::Marker ||
-           kind == ArgumentKind::MarkerOrZero;
+    return kind == ArgumentKind::Part || kind == ArgumentKind::PointMass || kind == ArgumentKind::FlexBody ||
+           kind == ArgumentKind::Marker || kind == ArgumentKind::MarkerOrZero || kind == ArgumentKind::Joint;
 }
 
 bool isId(ArgumentKind kind) {
-    return isReference(kind) || kind == ArgumentKind::Node;
+    return isReference(kind) || kind == ArgumentKind::Id || kind == ArgumentKind::Node;
+}
+
+bool isCountRight(const ArgumentRule& rule, std::size_t count) {
+    return count == rule.least || count == rule.most || (rule.most == Any && count > rule.least);
 }
 
 std::string describeCount(const ArgumentRule& rule) {
-    if (isId(rule.kind)) return rule.kind == ArgumentKind::Node ? "1 node" : "1 id";
-    if (rule.least != rule.most) return fmt::format("{} or {} numbers", rule.least, rule.most);
-    return rule.most == 1 ? "1 number" : fmt::format("{} numbers", rule.most);
+    const char* const what = rule.kind == ArgumentKind::Node ? "node" : isId(rule.kind) ? "id" : "number";
+    if (rule.most == 1) return fmt::format("1 {}", what);
+    if (rule.most == Any) return fmt::format("at least {} {}s", rule.least, what);
+    if (rule.least == rule.most) return fmt::format("{} {}s", rule.most, what);
+    return fmt::format("{} or {} {}s", rule.least, rule.most, what);
 }
 
 }  // namespace
 
 bool StatementReader::readValue(const ArgumentRule& rule, ArgumentValue& value) {
     if (isNumeric(rule.kind) || isId(rule.kind)) return readNumbers(rule, value);
-    if (rule.kind == ArgumentKind::Words) return readWords(rule, value);
-    if (rule.kind == ArgumentKind::Expression) return readExpression(rule, value);
+    if (rule.words) return readWords(rule, value);
+    if (rule.kind == ArgumentKind::Expression || rule.kind == ArgumentKind::Subroutine)
+        return readExpression(rule, value);
     value.text = takeItem();
     return true;
 }
@@ -69,32 +76,33 @@ bool StatementReader::readNumbers(const ArgumentRule& rule, ArgumentValue& value
     do {
         skipBlanks();
         good = readNumber(rule, value) && good;
-        ++value.count;
-    } while (m_errors < MostErrors && isNextValue(rule, value.count));
-    if (good && value.count != rule.least && value.count != rule.most) {
+    } while (m_errors < MostErrors && isNextValue(rule, value.offsets.size()));
+    if (good && !isCountRight(rule, value.offsets.size())) {
         const bool node = rule.kind == ArgumentKind::Node;
         addError(m_given.back().second,
-                 fmt::format("{} takes {}, not {}{}", describe(rule), describeCount(rule), value.count,
-                             node ? "; nodes cannot be averaged yet" : ""));
+                 fmt::format("{} takes {}, not {}{}", describe(rule), describeCount(rule),
+                             value.offsets.size(), node ? "; nodes cannot be averaged yet" : ""));
         return false;
     }
-    if (good && isReference(rule.kind)) addReference(rule, value);
+    if (good && isReference(rule.kind)) addReferences(rule, value);
     return good;
 }
 
 bool StatementReader::readNumber(const ArgumentRule& rule, ArgumentValue& value) {
     const std::size_t offset = m_at;
     const std::string_view item = takeItem();
+    value.offsets.push_back(offset);
     std::string fault;
     if (item.empty()) {
         fault = "a value is empty";
     } else if (isId(rule.kind)) {
         const Number<int> id = parseId(item, rule.kind == ArgumentKind::MarkerOrZero ? 0 : 1);
-        value.id = id.value;
+        value.ids.push_back(id.value);
         fault = id.fault;
     } else {
         const Number<double> number = parseReal(item, rule.kind == ArgumentKind::Angle);
-        if (value.count < value.numbers.size()) value.numbers[value.count] = number.value;
+        value.numbers.push_back(number.value);
+        value.degrees = value.degrees || toUpper(item.back()) == 'D';
         fault = number.fault;
         if (fault.empty() && rule.kind == ArgumentKind::Zero && number.value != 0)
             fault = quote(item) + " has an effect that is not supported yet; only 0 is accepted";
@@ -103,10 +111,11 @@ bool StatementReader::readNumber(const ArgumentRule& rule, ArgumentValue& value)
     return fault.empty();
 }
 
-void StatementReader::addReference(const ArgumentRule& rule, const ArgumentValue& value) {
-    if (value.id == 0) return;
-    m_state.references.push_back(
-        {m_number, m_keyword, m_id, value.id, &rule, m_statement.getPosition(value.offset)});
+void StatementReader::addReferences(const ArgumentRule& rule, const ArgumentValue& value) {
+    for (std::size_t k = 0; k < value.ids.size(); ++k)
+        if (value.ids[k] != 0)
+            m_state.references.push_back(
+                {m_number, m_keyword, m_id, value.ids[k], &rule, m_statement.getPosition(value.offsets[k])});
 }
 
 bool StatementReader::readWords(const ArgumentRule& rule, ArgumentValue& value) {
@@ -119,13 +128,16 @@ bool StatementReader::readWords(const ArgumentRule& rule, ArgumentValue& value) 
         more = colon < rest.size();
         rest.remove_prefix(more ? colon + 1 : colon);
         const WordMatch match = word.empty() ? WordMatch() : findWord(*rule.words, word);
+        const bool again =
+            std::find(value.words.begin(), value.words.end(), match.index) != value.words.end();
         if (!match.found)
             addError(offset, fmt::format("{}: unknown word {}{}", describe(rule), quote(word),
                                          suggestWord(*rule.words, word)));
-        else if (value.words & (1u << match.index))
+        else if (rule.kind == ArgumentKind::Words && again)
             addError(offset, fmt::format("{}: {} is given twice", describe(rule), quote(word)));
         else
-            value.words |= 1u << match.index;
+            value.words.push_back(match.index);
+        value.offsets.push_back(offset);
     }
     return m_errors == errors;
 }
@@ -142,9 +154,27 @@ void StatementReader::endExpression(std::size_t end) {
     ++m_at;
 }
 
+// USER(r1, r2, ...) instead of an expression calls a subroutine that was compiled for Adams. Nothing more of
+// the statement is read, because its other arguments may be those of the subroutine.
+bool StatementReader::checkNotUser(const ArgumentRule& rule) {
+    constexpr const char* gaps = " \t\r\v\f\n";
+    const std::size_t begin = std::min(m_text.find_first_not_of(gaps, m_at), m_text.size());
+    const std::string_view word = peekName(begin).word;
+    const std::size_t next = m_text.find_first_not_of(gaps, begin + word.size());
+    const bool isUser = word.size() == 4 && startsWith(word, "USER");
+    const bool calls = isUser && next != m_text.npos && m_text[next] == '(';
+    if (!calls && rule.kind != ArgumentKind::Subroutine) return true;
+    addError(begin, fmt::format("{} calls a user subroutine, and none can be run; write it as an expression",
+                                describe(rule)));
+    m_at = m_text.size();
+    m_comma = false;
+    return false;
+}
+
 // An expression ends at a backslash. It also ends at a comma outside parentheses that a name and '='
 // follow: no expression has an '=', so nothing else can be meant.
 bool StatementReader::readExpression(const ArgumentRule& rule, ArgumentValue& value) {
+    if (!checkNotUser(rule)) return false;
     const std::size_t begin = m_at;
     const int errors = m_errors;
     std::size_t depth = 0;
@@ -166,9 +196,14 @@ bool StatementReader::readExpression(const ArgumentRule& rule, ArgumentValue& va
         return false;
     }
     value.expression = cutExpression(m_statement, begin, end);
+    const std::string& text = value.expression.text;
+    if (text.empty())
+        addError(m_given.back().second, describe(rule) + " is empty");
+    else if (text.back() == ',')
+        addError(m_text.rfind(',', end - 1),
+                 describe(rule) + " ends in a comma; something is missing after it");
     endExpression(end);
-    if (value.expression.text.empty()) addError(m_given.back().second, describe(rule) + " is empty");
-    return !value.expression.text.empty();
+    return m_errors == errors;
 }
 
 }  // namespace jprim

@@ -10,6 +10,15 @@ const std::vector<Word>& getCoordinateNames() {
     return words;
 }
 
+void checkMass(StatementReader& reader, const std::optional<double>& mass, int cm) {
+    if (mass && *mass < 0)
+        reader.addError(reader.getOffset("MASS"),
+                        fmt::format("MASS of {} is {}; a mass cannot be negative", reader.getName(), *mass));
+    if (mass && *mass > 0 && cm == 0)
+        reader.addError(
+            0, fmt::format("{} has a MASS but no mass centre; name its marker: CM=", reader.getName()));
+}
+
 void checkNotBoth(StatementReader& reader, const char* name, const char* other) {
     if (reader.has(name) && reader.has(other))
         reader.addError(reader.getOffset(name),

@@ -3,13 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <system_error>
-#include <tuple>
-
+#include "dataset/input_file.h"
 #include "dataset/read_state.h"
 #include "dataset/statement_lexer.h"
 #include "dataset/statement_reader.h"
@@ -30,7 +24,6 @@ void readStatement(ReadState& state, const Statement& statement) {
     const std::string_view keyword = reader.readKeyword();
     if (reader.hasErrors()) return;
     const StatementRule* const rule = findRule(keyword);
-    const std::size_t ampersand = statement.text.find('&');
     if (keyword.size() == 3 && startsWith("END", keyword)) {
         reader.addError(0, "END stands alone; it takes no id and no arguments");
     } else if (!rule) {
@@ -38,10 +31,7 @@ void readStatement(ReadState& state, const Statement& statement) {
                                        suggestWord(getStatementRules(), keyword)));
     } else if (!rule->read) {
         reader.addError(0, fmt::format("{} is not supported yet", rule->name));
-    } else if (ampersand != std::string::npos) {
-        reader.addError(ampersand, "'&' may only end a line, to continue it on the next");
-    } else {
-        reader.readHead(rule->name, rule->hasId);
+    } else if (reader.readHead(rule->name, rule->hasId)) {
         rule->read(reader);
     }
 }
@@ -65,15 +55,6 @@ void checkEnd(ReadState& state, bool ended, SourcePosition end) {
     if (!ended) state.diagnostics.push_back({Severity::Warning, end, "the END statement is missing"});
 }
 
-// References are checked last, but belong where they stand.
-void sortFrom(std::size_t first, Diagnostics& diagnostics) {
-    std::stable_sort(diagnostics.begin() + static_cast<std::ptrdiff_t>(first), diagnostics.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) {
-                         return std::tie(a.where.line, a.where.column) <
-                                std::tie(b.where.line, b.where.column);
-                     });
-}
-
 StatementCounts countOutcomes(const std::vector<Outcome>& outcomes) {
     StatementCounts counts;
     for (const Outcome outcome : outcomes) {
@@ -90,8 +71,8 @@ Dataset readDataset(std::string_view text, Diagnostics& diagnostics) {
     const std::size_t earlier = diagnostics.size();
     ReadState state(diagnostics);
     StatementLexer lexer(text);
-    state.dataset.title = std::string(lexer.getTitle());
-    checkTitle(lexer.getTitle(), diagnostics);
+    state.dataset.title = std::string(lexer.takeLine());
+    checkTitle(state.dataset.title, diagnostics);
     Statement statement;
     bool ended = false;
     while (!ended && lexer.next(statement)) {
@@ -99,24 +80,18 @@ Dataset readDataset(std::string_view text, Diagnostics& diagnostics) {
         if (!ended) readStatement(state, statement);
     }
     checkReferences(state);
-    checkEnd(state, ended, ended ? statement.getPosition(0) : lexer.getEnd());
-    sortFrom(earlier, diagnostics);
+    checkJointUses(state);
+    checkEnd(state, ended, ended ? statement.getPosition(0) : lexer.getPosition());
+    sortByPosition(earlier, diagnostics);
     state.dataset.counts = countOutcomes(state.outcomes);
     return std::move(state.dataset);
 }
 
 Dataset readDatasetFile(const std::string& path, Diagnostics& diagnostics) {
-    std::error_code code;  // a folder has no size, although it can be opened
-    const std::uintmax_t size = std::filesystem::file_size(path, code);
-    std::ifstream file(path, std::ios::binary);
-    std::string text(code ? 0 : static_cast<std::size_t>(size), '\0');
-    if (!code) file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (code || !file) {
-        diagnostics.push_back({Severity::Error, {}, "cannot read the file; check its name and permissions"});
-        return {};
-    }
-    Dataset dataset = readDataset(text, diagnostics);
-    dataset.folder = std::filesystem::path(path).parent_path().string();
+    const InputFile file(path, diagnostics);
+    if (!file.good) return {};
+    Dataset dataset = readDataset(file.text, diagnostics);
+    dataset.folder = file.folder;
     return dataset;
 }
 

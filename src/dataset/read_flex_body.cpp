@@ -132,11 +132,8 @@ void understandInvariants(StatementReader& reader, F& arguments) {
 void readFlexBody(StatementReader& reader) {
     ReadState& state = reader.updState();
     FlexBodyArguments arguments;
-    arguments.where = reader.getPosition();
-    arguments.id = reader.getId();
-    state.precedingOwner = {"FLEX_BODY", arguments.id};
-    const bool good = reader.readArguments(getFlexBodyTable(), arguments);
-    if (arguments.id != 0) reader.registerId();
+    state.precedingOwner = {"FLEX_BODY", reader.getId()};
+    const bool good = reader.readStatement(getFlexBodyTable(), arguments);
     checkModes(reader, arguments, good);
     understandFile(reader, arguments);
     understandRatio(reader, arguments);

@@ -41,16 +41,16 @@ const ArgumentTable<R>& getRequestTable() {
         {expression("F6"), addExpression},
         {expression("F7"), addExpression},
         {expression("F8"), addExpression},
-        {{"I", Kind::Marker, ExactOnly}, [](R& r, const V& v) { r.i = v.id; }},
-        {{"J", Kind::MarkerOrZero, ExactOnly}, [](R& r, const V& v) { r.j = v.id; }},
-        {{"RM", Kind::MarkerOrZero, ExactOnly}, [](R& r, const V& v) { r.rm = v.id; }},
+        {{"I", Kind::Marker, ExactOnly}, [](R& r, const V& v) { r.i = v.getId(); }},
+        {{"J", Kind::MarkerOrZero, ExactOnly}, [](R& r, const V& v) { r.j = v.getId(); }},
+        {{"RM", Kind::MarkerOrZero, ExactOnly}, [](R& r, const V& v) { r.rm = v.getId(); }},
         {{"COMMENT", Kind::Text}, [](R& r, const V& v) { r.comment = v.text; }},
         {{"TITLE", Kind::Text}, [](R& r, const V& v) { r.title = v.text; }},
         // Names and units of columns rename what is written and change no number.
         {{"CNAMES", Kind::Ignored, 2}, nullptr},
         {{"CUNITS", Kind::Ignored, 2}, nullptr},
         {{"RESULTS_NAME", Kind::Ignored, 3}, nullptr},
-        {{"FUNCTION", Kind::Unsupported, 2}, nullptr}};
+        {{"FUNCTION", Kind::Subroutine, 2}, nullptr}};
     return table;
 }
 
@@ -72,11 +72,7 @@ void checkForm(StatementReader& reader, const R& request) {
 
 void readRequest(StatementReader& reader) {
     RequestStatement request;
-    request.where = reader.getPosition();
-    request.id = reader.getId();
-    const bool good = reader.readArguments(getRequestTable(), request);
-    if (request.id != 0) reader.registerId();
-    if (good) checkForm(reader, request);
+    if (reader.readStatement(getRequestTable(), request)) checkForm(reader, request);
     if (!request.expressions.empty()) request.type = RequestType::Expressions;
     if (!reader.hasErrors()) reader.updState().dataset.requests.push_back(std::move(request));
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace jprim {
@@ -10,6 +12,14 @@ namespace jprim {
 void ReadState::addError(std::size_t statement, SourcePosition where, std::string message) {
     outcomes[statement] = Outcome::Error;
     diagnostics.push_back({Severity::Error, where, std::move(message)});
+}
+
+void sortByPosition(std::size_t first, Diagnostics& diagnostics) {
+    std::stable_sort(diagnostics.begin() + static_cast<std::ptrdiff_t>(first), diagnostics.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) {
+                         return std::tie(a.where.line, a.where.column) <
+                                std::tie(b.where.line, b.where.column);
+                     });
 }
 
 std::string Owner::getName() const {
@@ -20,8 +30,13 @@ namespace {
 
 // The kind of statement that an argument names.
 std::string_view getKeyword(ArgumentKind kind) {
-    if (kind == ArgumentKind::Part) return "PART";
-    return kind == ArgumentKind::FlexBody ? "FLEX_BODY" : "MARKER";
+    switch (kind) {
+        case ArgumentKind::Part: return "PART";
+        case ArgumentKind::PointMass: return "POINT_MASS";
+        case ArgumentKind::FlexBody: return "FLEX_BODY";
+        case ArgumentKind::Joint: return "JOINT";
+        default: return "MARKER";
+    }
 }
 
 // The entry with this id, or null.
@@ -47,6 +62,17 @@ void checkSamePart(ReadState& state, const Reference& reference, const Owner& ow
                                reference.id, owner.getName(), self.getName()));
 }
 
+// Only the J of a force that moves along with I may float, and it must.
+bool checkFloating(ReadState& state, const Reference& reference, bool floating) {
+    const bool mustFloat = reference.rule->link == MarkerLink::OtherPartFloating;
+    if (floating == mustFloat) return true;
+    state.addError(reference.statement, reference.where,
+                   fmt::format("{}: MARKER/{} is {}", describe(reference), reference.id,
+                               floating ? "FLOATING, and only JFLOAT may name such a marker"
+                                        : "not FLOATING, as a marker that moves along with I must be"));
+    return false;
+}
+
 // I and J of a statement follow each other in the list, in either order.
 class OtherPartCheck {
 public:
@@ -54,19 +80,23 @@ public:
 
     void check(const Reference& reference, const Owner& owner) {
         const bool pair = m_owner.id != 0 && m_statement == reference.statement;
+        const bool floats = reference.rule->link == MarkerLink::OtherPartFloating;
         if (pair && isSame(m_owner, owner))
             m_state.addError(reference.statement, reference.where,
-                             fmt::format("{}/{} connects {} with itself; I and J must be markers of "
+                             fmt::format("{}/{} connects {} with itself; I and {} must be markers of "
                                          "different parts",
-                                         reference.keyword, reference.ownId, owner.getName()));
+                                         reference.keyword, reference.ownId, owner.getName(),
+                                         floats || m_floats ? "JFLOAT" : "J"));
         m_statement = reference.statement;
         m_owner = owner;
+        m_floats = floats;
     }
 
 private:
     ReadState& m_state;
     std::size_t m_statement = 0;
     Owner m_owner;
+    bool m_floats = false;
 };
 
 }  // namespace
@@ -81,9 +111,13 @@ void checkReferences(ReadState& state) {
                            fmt::format("{}: there is no {}/{}", describe(reference), keyword, reference.id));
             continue;
         }
-        if (entry->owner.id == 0) continue;
-        if (reference.rule->link == MarkerLink::SamePart) checkSamePart(state, reference, entry->owner);
-        if (reference.rule->link == MarkerLink::OtherPart) otherPart.check(reference, entry->owner);
+        if (keyword == "MARKER" && !checkFloating(state, reference, entry->floating)) continue;
+        const MarkerLink link = reference.anyOwner ? MarkerLink::None : reference.rule->link;
+        if (entry->owner.id == 0 || link == MarkerLink::None) continue;
+        if (link == MarkerLink::SamePart)
+            checkSamePart(state, reference, entry->owner);
+        else
+            otherPart.check(reference, entry->owner);
     }
 }
 

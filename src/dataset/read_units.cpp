@@ -26,7 +26,7 @@ const ArgumentTable<UnitsArguments>& getUnitsTable() {
         {{"LENGTH", ArgumentKind::Text}, [](U& u, const V& v) { u.names[2] = v; }},
         {{"TIME", ArgumentKind::Text}, [](U& u, const V& v) { u.names[3] = v; }},
         {{"SYSTEM", ArgumentKind::Text}, [](U& u, const V& v) { u.system = v; }},
-        {{"UCF", ArgumentKind::Real, ExactOnly}, [](U& u, const V& v) { u.ucf = v.numbers[0]; }}};
+        {{"UCF", ArgumentKind::Real, ExactOnly}, [](U& u, const V& v) { u.ucf = v.getNumber(); }}};
     return table;
 }
 
@@ -95,9 +95,9 @@ void readAccgrav(StatementReader& reader) {
     using A = AccgravStatement;
     using V = ArgumentValue;
     static const ArgumentTable<A> table = {
-        {{"IGRAV", ArgumentKind::Real}, [](A& a, const V& v) { a.acceleration[0] = v.numbers[0]; }},
-        {{"JGRAV", ArgumentKind::Real}, [](A& a, const V& v) { a.acceleration[1] = v.numbers[0]; }},
-        {{"KGRAV", ArgumentKind::Real}, [](A& a, const V& v) { a.acceleration[2] = v.numbers[0]; }}};
+        {{"IGRAV", ArgumentKind::Real}, [](A& a, const V& v) { a.acceleration[0] = v.getNumber(); }},
+        {{"JGRAV", ArgumentKind::Real}, [](A& a, const V& v) { a.acceleration[1] = v.getNumber(); }},
+        {{"KGRAV", ArgumentKind::Real}, [](A& a, const V& v) { a.acceleration[2] = v.getNumber(); }}};
     AccgravStatement gravity;
     gravity.where = reader.getPosition();
     std::optional<A>& target = reader.updState().dataset.gravity;

@@ -33,25 +33,20 @@ ExpressionText cutExpression(const Statement& statement, std::size_t begin, std:
     return cut;
 }
 
-bool isEnd(std::string_view text) {
+bool isWordAlone(std::string_view text, std::string_view word) {
     if (!text.empty() && text.back() == '/') text = trim(text.substr(0, text.size() - 1));
-    return text.size() == 3 && startsWith("END", text);
+    return text.size() == word.size() && startsWith(word, text);
 }
 
-StatementLexer::StatementLexer(std::string_view text) : m_text(text) {
-    m_title = takeLine();
-    while (!m_title.empty() && isBlank(m_title.back())) m_title.remove_suffix(1);
-}
-
-// The rest of the current line; goes on to the next one.
 std::string_view StatementLexer::takeLine() {
     const std::size_t newline = std::min(m_text.find('\n', m_at), m_text.size());
-    const std::string_view line = m_text.substr(m_at, newline - m_at);
+    std::string_view line = m_text.substr(m_at, newline - m_at);
     m_at = newline;
     if (newline < m_text.size()) {
         m_lineBegin = ++m_at;
         ++m_line;
     }
+    while (!line.empty() && isBlank(line.back())) line.remove_suffix(1);
     return line;
 }
 
@@ -106,10 +101,6 @@ bool StatementLexer::next(Statement& statement) {
         if (m_piece.semicolon && !statement.segments.empty()) return true;
     }
     return !statement.segments.empty();
-}
-
-SourcePosition StatementLexer::getEnd() const {
-    return {m_line, static_cast<int>(m_text.size() - m_lineBegin) + 1};
 }
 
 }  // namespace jprim

@@ -24,23 +24,31 @@ using Statement = SourceText;
 /// The text from `begin` to `end` with every run of blanks and line marks as one space, and none at the ends.
 ExpressionText cutExpression(const Statement& statement, std::size_t begin, std::size_t end);
 
-/// True for the text of the statement that ends a dataset: END, alone or with a slash.
-bool isEnd(std::string_view text);
+/// True if the text of a statement is this word, alone or with a slash.
+bool isWordAlone(std::string_view text, std::string_view word);
 
-/// Cuts the text of a dataset into its title and its statements, by the rules for comments,
-/// continuation lines and semicolons. Knows nothing of what a statement means.
+/// True for the statement that ends a dataset.
+inline bool isEnd(std::string_view text) {
+    return isWordAlone(text, "END");
+}
+
+/// Cuts a text into statements, by the rules for comments, continuation lines and semicolons. Knows nothing
+/// of what a statement means.
 class StatementLexer {
 public:
-    explicit StatementLexer(std::string_view text);
+    explicit StatementLexer(std::string_view text) : m_text(text) {}
 
-    /// The first line, without trailing blanks.
-    std::string_view getTitle() const { return m_title; }
+    /// The rest of the current line as it stands, without trailing blanks, for lines that are no statements.
+    /// Not to be mixed with next(), which may have looked ahead.
+    std::string_view takeLine();
+
+    bool atEnd() const { return m_at == m_text.size(); }
+
+    /// Just before the first character that was not read yet.
+    SourcePosition getPosition() const { return {m_line, static_cast<int>(m_at - m_lineBegin) + 1}; }
 
     /// Reads the next statement into `statement`, reusing its memory. False at the end of the text.
     bool next(Statement& statement);
-
-    /// Just after the last character of the text. Valid once next() has returned false.
-    SourcePosition getEnd() const;
 
 private:
     // What one line has of one statement: no comment, no blanks at the ends, no closing semicolon.
@@ -52,10 +60,8 @@ private:
 
     bool peek();
     Piece scanPiece();
-    std::string_view takeLine();
 
     std::string_view m_text;
-    std::string_view m_title;
     std::size_t m_at = 0;
     std::size_t m_lineBegin = 0;
     int m_line = 1;

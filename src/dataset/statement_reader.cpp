@@ -57,8 +57,13 @@ std::string_view StatementReader::readKeyword() {
     return keyword;
 }
 
-void StatementReader::readHead(std::string_view fullKeyword, bool hasId) {
+bool StatementReader::readHead(std::string_view fullKeyword, bool hasId) {
     m_keyword = fullKeyword;
+    const std::size_t ampersand = m_text.find('&');
+    if (ampersand != m_text.npos) {
+        addError(ampersand, "'&' may only end a line, to continue it on the next");
+        return false;
+    }
     skipBlanks();
     if (hasId) {
         const std::size_t begin = m_at;
@@ -70,20 +75,34 @@ void StatementReader::readHead(std::string_view fullKeyword, bool hasId) {
             addError(begin, fmt::format("id of {}: {}", m_keyword, id.fault));
     }
     skipBlanks();
-    if (atEnd()) return;
+    if (atEnd()) return true;
     m_comma = isComma(m_text[m_at]);
     if (m_comma)
         ++m_at;
     else if (hasId)
         addError(m_at, fmt::format("a comma is missing after {}", getName()));
+    return true;
 }
 
-void StatementReader::registerId(const Owner& owner) {
+void StatementReader::registerId(const Owner& owner, bool floating) {
+    if (m_id == 0) return;
     const SourcePosition here = getPosition();
-    const auto [entry, isNew] = m_state.ids[m_keyword].try_emplace(m_id, IdEntry{here.line, owner});
+    const auto [entry, isNew] = m_state.ids[m_keyword].try_emplace(m_id, IdEntry{here.line, owner, floating});
     if (!isNew)
         addError(0, fmt::format("{} is already given in line {}; choose another id", getName(),
                                 entry->second.line));
+}
+
+void StatementReader::allowAnyOwner() {
+    auto reference = m_state.references.rbegin();
+    for (; reference != m_state.references.rend() && reference->statement == m_number; ++reference)
+        reference->anyOwner = true;
+}
+
+void StatementReader::useJoint(std::string_view name, std::size_t offset, int joint,
+                               std::optional<CouplerType> coordinate, const char* remedy) {
+    m_state.jointUses.push_back({m_number, fmt::format("{} of {}", name, getName()), joint, coordinate,
+                                 m_statement.getPosition(offset), remedy});
 }
 
 std::string StatementReader::readRawArguments() {

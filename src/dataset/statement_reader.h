@@ -34,10 +34,11 @@ public:
 
     /// Reads the word before the slash, and the slash.
     std::string_view readKeyword();
-    /// Reads what follows the slash up to the first argument.
-    void readHead(std::string_view fullKeyword, bool hasId);
-    /// Adds this statement to those of its kind; a second one with the same id is an error.
-    void registerId(const Owner& owner = {});
+    /// Reads what follows the slash up to the first argument. False if the statement cannot be read further.
+    bool readHead(std::string_view fullKeyword, bool hasId);
+    /// Adds this statement to those of its kind; a second one with the same id is an error. Nothing is done
+    /// if the id was unreadable. Owner and floating are those of a MARKER.
+    void registerId(const Owner& owner = {}, bool floating = false);
 
     /// Reads all arguments into the target. False if there was any error; if not, every argument that the
     /// table requires was given.
@@ -50,8 +51,25 @@ public:
         }
         return checkMandatory();
     }
+    /// Reads a whole statement that has an id: where it stands, the id, the arguments. False if there was any
+    /// error.
+    template <class Target>
+    bool readStatement(const ArgumentTable<Target>& table, Target& target) {
+        target.where = getPosition();
+        target.id = m_id;
+        readArguments(table, target);
+        registerId();
+        return !hasErrors();
+    }
     /// The arguments as text, blanks and line breaks made uniform.
     std::string readRawArguments();
+
+    /// Lets the markers that this statement names belong to any body.
+    void allowAnyOwner();
+    /// Notes that the argument with this name uses a coordinate of a joint, the only one if none is given.
+    /// The remedy is how to say which.
+    void useJoint(std::string_view name, std::size_t offset, int joint, std::optional<CouplerType> coordinate,
+                  const char* remedy);
 
     /// Where the argument with this full name begins; the keyword if it was not given.
     std::size_t getOffset(std::string_view name) const;
@@ -78,11 +96,12 @@ private:
     bool readNumber(const ArgumentRule& rule, ArgumentValue& value);
     bool isNextValue(const ArgumentRule& rule, std::size_t count) const;
     bool readWords(const ArgumentRule& rule, ArgumentValue& value);
+    bool checkNotUser(const ArgumentRule& rule);
     bool readExpression(const ArgumentRule& rule, ArgumentValue& value);
     void endExpression(std::size_t end);
     void skipArgument();
     bool checkMandatory();
-    void addReference(const ArgumentRule& rule, const ArgumentValue& value);
+    void addReferences(const ArgumentRule& rule, const ArgumentValue& value);
 
     std::string_view readWord();
     std::string_view takeItem();

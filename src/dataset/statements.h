@@ -26,12 +26,23 @@ const std::vector<StatementRule>& getStatementRules();
 void readUnits(StatementReader& reader);
 void readAccgrav(StatementReader& reader);
 void readPart(StatementReader& reader);
+void readPointMass(StatementReader& reader);
 void readFlexBody(StatementReader& reader);
 void readMarker(StatementReader& reader);
 void readJprim(StatementReader& reader);
 void readJoint(StatementReader& reader);
-void readRequest(StatementReader& reader);
+void readGcon(StatementReader& reader);
 void readMotion(StatementReader& reader);
+void readCoupler(StatementReader& reader);
+void readSforce(StatementReader& reader);
+void readVectorForce(StatementReader& reader);  // VFORCE, VTORQUE and GFORCE
+void readSpringdamper(StatementReader& reader);
+void readBushing(StatementReader& reader);
+void readVariable(StatementReader& reader);
+void readSpline(StatementReader& reader);
+void readSensor(StatementReader& reader);
+void readRequest(StatementReader& reader);
+void readMrequest(StatementReader& reader);
 void readIgnored(StatementReader& reader);
 
 }  // namespace jprim

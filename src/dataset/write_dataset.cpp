@@ -7,87 +7,10 @@
 #include <optional>
 #include <string_view>
 
+#include "dataset/statement_writer.h"
+
 namespace jprim {
 namespace {
-
-/// Puts statements on lines of bearable length. Arguments are added one by one.
-class StatementWriter {
-public:
-    explicit StatementWriter(std::string& text) : m_text(text) {}
-
-    /// `KEYWORD/id`, or `KEYWORD/` for id 0.
-    void begin(std::string_view keyword, int id) {
-        m_line = id == 0 ? fmt::format("{}/", keyword) : fmt::format("{}/{}", keyword, id);
-        m_first = id == 0;
-        m_backslash = false;
-    }
-
-    void add(std::string_view argument) {
-        // The slash of a statement without id is followed by its first argument, without a comma.
-        const std::string_view separator = m_backslash ? "\\" : m_first ? "" : ", ";
-        if (m_line.size() + separator.size() + argument.size() > LongestLine && !m_first) {
-            m_line += m_backslash ? "\\" : "";
-            breakLine();
-            m_line += " ";
-        } else {
-            m_line += separator;
-        }
-        m_line += argument;
-        m_first = m_backslash = false;
-    }
-
-    /// An expression may be broken only at its spaces, where the comma of the next line changes nothing.
-    void addExpression(std::string_view name, std::string_view expression) {
-        std::size_t space = expression.find(' ');
-        add(fmt::format("{}={}", name, expression.substr(0, space)));
-        while (space != expression.npos) {
-            const std::size_t begin = space + 1;
-            space = expression.find(' ', begin);
-            const std::string_view word = expression.substr(begin, space - begin);
-            if (m_line.size() + 1 + word.size() > LongestLine) breakLine();
-            m_line += ' ';
-            m_line += word;
-        }
-        m_backslash = true;
-    }
-
-    void end() {
-        m_text += m_line;
-        m_text += '\n';
-    }
-
-    void add(std::string_view name, const std::optional<double>& number) {
-        if (number) add(fmt::format("{}={}", name, *number));
-    }
-    void add(std::string_view name, int id) {
-        if (id != 0) add(fmt::format("{}={}", name, id));
-    }
-    void add(std::string_view name, const std::string& text) {
-        if (!text.empty()) add(fmt::format("{}={}", name, text));
-    }
-    void add(std::string_view name, const std::optional<Triple>& t) {
-        if (!t) return;
-        const std::string begin = fmt::format("{}={}", name, (*t)[0]);
-        const std::string rest = fmt::format("{}, {}", (*t)[1], (*t)[2]);
-        // A list stays on one line unless it alone is too long for it.
-        if (begin.size() + rest.size() + 4 <= LongestLine) return add(begin + ", " + rest);
-        add(begin);
-        add(rest);
-    }
-
-private:
-    static constexpr std::size_t LongestLine = 78;  // leaves room for a closing backslash
-
-    void breakLine() {
-        end();
-        m_line = ",";
-    }
-
-    std::string& m_text;
-    std::string m_line;
-    bool m_first = false;
-    bool m_backslash = false;
-};
 
 void write(StatementWriter& w, const UnitsStatement& u) {
     w.begin("UNITS", 0);
@@ -167,9 +90,19 @@ void write(StatementWriter& w, const FlexBodyStatement& f) {
     w.end();
 }
 
+void write(StatementWriter& w, const PointMassStatement& p) {
+    w.begin("POINT_MASS", p.id);
+    writePose(w, p);
+    w.add("MASS", p.mass);
+    w.add("CM", p.cm);
+    writeMotion(w, p);
+    w.end();
+}
+
 void write(StatementWriter& w, const MarkerStatement& m) {
     w.begin("MARKER", m.id);
     w.add("PART", m.part);
+    w.add("POINT_MASS", m.pointMass);
     w.add("FLEX_BODY", m.flexBody);
     w.add("NODE_ID", m.node);
     w.add("QP", m.qp);
@@ -177,22 +110,8 @@ void write(StatementWriter& w, const MarkerStatement& m) {
     w.add("ZP", m.zp);
     w.add("XP", m.xp);
     if (m.usexp) w.add("USEXP");
+    if (m.floating) w.add("FLOATING");
     w.end();
-}
-
-template <class Statement>
-void writeConnection(StatementWriter& w, const char* keyword, const Statement& s) {
-    w.begin(keyword, s.id);
-    w.add(getAdamsName(s.type));
-    w.add("I", s.i);
-    w.add("J", s.j);
-    w.end();
-}
-void write(StatementWriter& w, const JprimStatement& j) {
-    writeConnection(w, "JPRIM", j);
-}
-void write(StatementWriter& w, const JointStatement& j) {
-    writeConnection(w, "JOINT", j);
 }
 
 void write(StatementWriter& w, const RequestStatement& r) {
@@ -204,7 +123,7 @@ void write(StatementWriter& w, const RequestStatement& r) {
     w.add("COMMENT", r.comment);
     w.add("TITLE", r.title);
     for (const auto& [number, expression] : r.expressions)
-        w.addExpression(fmt::format("F{}", number), expression.text);
+        w.add(fmt::format("F{}", number), std::optional<ExpressionText>(expression));
     w.end();
 }
 
@@ -230,10 +149,21 @@ std::string writeDataset(const Dataset& dataset) {
     };
     if (dataset.units) write(writer, *dataset.units);
     writeAll(dataset.parts);
+    writeAll(dataset.pointMasses);
     writeAll(dataset.flexBodies);
     writeAll(dataset.markers);
     writeAll(dataset.jprims);
     writeAll(dataset.joints);
+    writeAll(dataset.gcons);
+    writeAll(dataset.motions);
+    writeAll(dataset.couplers);
+    writeAll(dataset.sforces);
+    writeAll(dataset.vectorForces);
+    writeAll(dataset.springdampers);
+    writeAll(dataset.bushings);
+    writeAll(dataset.variables);
+    writeAll(dataset.splines);
+    writeAll(dataset.sensors);
     if (dataset.gravity) write(writer, *dataset.gravity);
     writeAll(dataset.requests);
     writeAll(dataset.ignored);

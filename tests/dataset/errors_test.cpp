@@ -1,22 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every mistake has its place and its words. QQQ marks what is wrong on purpose.
-#include "dataset/reading.h"
+#include "dataset/error_cases.h"
 
 namespace jprim {
 namespace {
-
-struct ErrorCase {
-    const char* name;
-    const char* statements;  ///< the first stands in line 3
-    const char* findings;
-};
-
-void check(const std::vector<ErrorCase>& cases) {
-    for (const ErrorCase& c : cases) {
-        SCOPED_TRACE(c.name);
-        EXPECT_EQ(readInModel(c.statements).findings, c.findings);
-    }
-}
 
 TEST(DatasetErrors, Statements) {
     check({
@@ -51,18 +38,10 @@ TEST(DatasetErrors, Statements) {
 
 TEST(DatasetErrors, StatementsNotSupportedYet) {
     for (const std::string keyword :
-         {"GCON",    "SFORCE",      "VFORCE",  "VTORQUE",     "GFORCE",  "SPRINGDAMPER", "BUSHING",
-          "COUPLER", "VARIABLE",    "SPLINE",  "POINT_MASS",  "SENSOR",  "MATRIX",       "CURVE",
-          "PTCV",    "CVCV",        "CONTACT", "FRICTION",    "BEAM",    "FIELD",        "NFORCE",
-          "ARRAY",   "STRING",      "DIFF",    "LSE",         "GSE",     "INTEGRATOR",   "KINEMATICS",
-          "IC",      "EQUILIBRIUM", "DEBUG",   "PREFERENCES", "MREQUEST"})
+         {"MATRIX", "CURVE", "PTCV", "CVCV",   "CONTACT", "FRICTION", "BEAM",   "FIELD",   "NFORCE",  "ARRAY",
+          "DIFF",   "LSE",   "GSE",  "TFSISO", "UCON",    "FE_PART",  "PINPUT", "POUTPUT", "SURFACE", "TIRE"})
         EXPECT_EQ(readInModel(keyword + "/1, QQQ=(1,2").findings,
                   "3:1: error: " + keyword + " is not supported yet");
-    check({
-        {"motion", "MOTION/1, JOINT=1, FUNCTION=JPRIM(1,0,2,0)", "3:1: error: MOTION is not supported yet"},
-        {"motion on a primitive", "MOTION/1, FUNCTION=TIME\\\n, jprim = 1",
-         "3:1: error: MOTION/1 acts on a JPRIM, and no MOTION can; use a JOINT"},
-    });
 }
 
 TEST(DatasetErrors, Arguments) {
@@ -150,6 +129,14 @@ TEST(DatasetErrors, UnitsAndGravity) {
 
 TEST(DatasetErrors, Parts) {
     check({
+        {"point mass that turns", "POINT_MASS/3, WX=1, EXACT=PSI, IP=1,1,1",
+         "3:15: error: unknown argument 'WX' of POINT_MASS/3; did you mean VX?\n"
+         "3:27: error: EXACT of POINT_MASS/3: unknown word 'PSI'\n"
+         "3:32: error: unknown argument 'IP' of POINT_MASS/3"},
+        {"point mass without its place", "POINT_MASS/3, MASS=1",
+         "3:1: error: POINT_MASS/3 has a MASS but no mass centre; name its marker: CM="},
+        {"marker of the part with the same id", "POINT_MASS/2, MASS=1, CM=2",
+         "3:26: error: CM of POINT_MASS/2: MARKER/2 is on PART/2; name a marker of POINT_MASS/2"},
         {"second ground", "PART/3, GROUND",
          "3:9: error: PART/3 is a second GROUND; the first stands in line 2"},
         {"negative mass", "PART/3, CM=30, MASS=-0.5\nMARKER/30",
@@ -190,8 +177,19 @@ TEST(DatasetErrors, Markers) {
          "3:11: error: USEXP of MARKER/3 needs a point on the x axis: XP="},
         {"owner of another kind", "MARKER/3, FE_PART=1",
          "3:11: error: FE_PART of MARKER/3 is not supported yet"},
-        {"point mass", "MARKER/3, POI=1", "3:11: error: POINT_MASS of MARKER/3 is not supported yet"},
-        {"floating", "MARKER/3, FLOATING", "3:11: error: FLOATING of MARKER/3 is not supported yet"},
+        {"point mass that does not exist", "MARKER/3, POI=77",
+         "3:15: error: POINT_MASS of MARKER/3: there is no POINT_MASS/77"},
+        {"two owners", "POINT_MASS/1\nMARKER/3, PART=1, POINT_MASS=1",
+         "4:19: error: MARKER/3 takes POINT_MASS or PART, not both"},
+        {"two owners, one flexible", "POINT_MASS/1\nMARKER/3, POINT_MASS=1, FLEX_BODY=1",
+         "4:11: error: MARKER/3 takes POINT_MASS or FLEX_BODY, not both\n"
+         "4:35: error: FLEX_BODY of MARKER/3: there is no FLEX_BODY/1"},
+        {"floating marker with a place", "MARKER/3, FLOATING, QP=1,2,3, REULER=1,2,3",
+         "3:21: error: MARKER/3 takes QP or FLOATING, not both\n"
+         "3:31: error: MARKER/3 takes REULER or FLOATING, not both"},
+        {"floating marker named by others", "MARKER/3, FLOATING\nJPRIM/1, ATPOINT, I=3, J=1\nPART/4, VM=3",
+         "4:21: error: I of JPRIM/1: MARKER/3 is FLOATING, and only JFLOAT may name such a marker\n"
+         "5:12: error: VM of PART/4: MARKER/3 is FLOATING, and only JFLOAT may name such a marker"},
         {"label of nodes", "MARKER/3, NODE_LABEL=1,2,3, QP=1,2",
          "3:11: error: NODE_LABEL of MARKER/3 is not supported yet\n"
          "3:29: error: QP of MARKER/3 takes 3 numbers, not 2"},
@@ -199,7 +197,7 @@ TEST(DatasetErrors, Markers) {
         {"curve", "MARKER/3, CURVE=1", "3:11: error: CURVE of MARKER/3 is not supported yet"},
     });
     EXPECT_EQ(read("t\nMARKER/3\nPART/1, GROUND\nEND").findings,
-              "2:1: error: MARKER/3 names no PART or FLEX_BODY, and none precedes it; name one: PART= or "
+              "2:1: error: MARKER/3 names no body, and none precedes it; name one: PART=, POINT_MASS= or "
               "FLEX_BODY=");
 }
 
@@ -223,19 +221,25 @@ TEST(DatasetErrors, PrimitivesAndJoints) {
          "3:24: error: JOINT/1 connects PART/2 with itself; I and J must be markers of different parts"},
         {"type of joint missing", "JOINT/1, I=1, J=2",
          "3:1: error: JOINT/1 needs a type: SPHERICAL, REVOLUTE, CYLINDRICAL, TRANSLATIONAL, PLANAR, FIXED, "
-         "UNIVERSAL, HOOKE"},
-        {"screw", "JOINT/1, SCREW, PITCH=1, I=1, J=2",
-         "3:10: error: SCREW of JOINT/1 is not supported yet\n3:17: error: PITCH of JOINT/1 is not supported "
-         "yet"},
-        {"rack", "JOINT/1, RACKPIN, PD=1, I=1, J=2",
-         "3:10: error: RACKPIN of JOINT/1 is not supported yet\n3:19: error: PD of JOINT/1 is not supported "
-         "yet"},
-        {"constant velocity", "JOINT/1, CONV, I=1, J=2",
-         "3:10: error: CONVEL of JOINT/1 is not supported yet"},
-        {"initial values", "JOINT/1, CYL, IC=1,2, ICTRAN=1,2, ICROT=1D,2, I=1, J=2",
-         "3:15: error: IC of JOINT/1 is not supported yet\n3:23: error: ICTRAN of JOINT/1 is not supported "
-         "yet\n"
-         "3:35: error: ICROT of JOINT/1 is not supported yet"},
+         "UNIVERSAL, HOOKE, CONVEL, SCREW, RACKPIN"},
+        {"screw without pitch", "JOINT/1, SCREW, I=1, J=2, PD=1",
+         "3:1: error: JOINT/1 needs PITCH: PITCH=\n"
+         "3:27: error: PD of JOINT/1 is for RACKPIN joints only"},
+        {"rack without diameter", "JOINT/1, RACKPIN, I=1, J=2, PITCH=1",
+         "3:1: error: JOINT/1 needs PD: PD=\n3:29: error: PITCH of JOINT/1 is for SCREW joints only"},
+        {"pinion of no size", "JOINT/1, RACKPIN, PD=0, I=1, J=2",
+         "3:19: error: PD of JOINT/1 is 0; the pitch diameter of a pinion is not"},
+        {"initial values of the wrong type",
+         "JOINT/1, CYL, IC=1,2, I=1, J=2\nJOINT/2, REV, ICT=1, ICR=2, I=1, J=2",
+         "3:15: error: IC of JOINT/1 is for REVOLUTE and TRANSLATIONAL joints only\n"
+         "4:15: error: ICTRAN of JOINT/2 is for CYLINDRICAL joints only\n"
+         "4:22: error: ICROT of JOINT/2 is for CYLINDRICAL joints only"},
+        {"initial angle of a slider", "JOINT/1, TRA, IC=10D, I=1, J=2",
+         "3:15: error: IC of JOINT/1 is in degrees (suffix D), but a TRANSLATIONAL joint has no angle"},
+        {"three initial values", "JOINT/1, REV, IC=1,2,3, I=1, J=2",
+         "3:15: error: IC of JOINT/1 takes 1 or 2 numbers, not 3"},
+        {"degrees of a length", "JOINT/1, CYL, ICTRAN=1D, I=1, J=2",
+         "3:22: error: ICTRAN of JOINT/1: '1D' is in degrees (suffix D), but this is not an angle"},
         {"friction", "JOINT/1, REV, I=1, J=2, MU_DYN_ROT=0.1, INNER_RADIUS=0",
          "3:36: error: MU_DYN_ROT of JOINT/1: '0.1' has an effect that is not supported yet; only 0 is "
          "accepted"},
@@ -259,12 +263,15 @@ TEST(DatasetErrors, Requests) {
          "3:12: error: unknown argument 'F1' of REQUEST/1; did you mean F2?"},
         {"expression twice", "REQUEST/1, F2=1\\F2=2", "3:17: error: F2 of REQUEST/1 is given twice"},
         {"empty expression", "REQUEST/1, F2=\\F3=1", "3:12: error: F2 of REQUEST/1 is empty"},
+        {"comma at the end", "REQUEST/1, F2=MAX(1, \\F3=2",
+         "3:20: error: F2 of REQUEST/1 ends in a comma; something is missing after it"},
         {"equals sign", "REQUEST/1, F2=JOINT(1,0, C=QQQ",
          "3:27: error: '=' cannot stand in F2 of REQUEST/1; a '\\' or ')' may be missing before it"},
         {"comma", "REQUEST/1, F2=DX(1), QQQ",
          "3:20: error: ',' cannot stand in F2 of REQUEST/1; a '\\' or ')' may be missing before it"},
-        {"function of the user", "REQUEST/1, FUNCTION=USER(1,2)",
-         "3:12: error: FUNCTION of REQUEST/1 is not supported yet"},
+        {"function of the user", "REQUEST/1, FUNCTION=USER(1,2)\\ROUTINE=QQQ::QQQ",
+         "3:21: error: FUNCTION of REQUEST/1 calls a user subroutine, and none can be run; write it as an "
+         "expression"},
     });
 }
 
