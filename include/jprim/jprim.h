@@ -13,6 +13,7 @@
 #include "jprim/base/units.h"
 #include "jprim/build/build_mechanism.h"
 #include "jprim/build/mechanism.h"
+#include "jprim/dataset/commands.h"
 #include "jprim/dataset/constraint_statements.h"
 #include "jprim/dataset/dataset.h"
 #include "jprim/dataset/force_statements.h"

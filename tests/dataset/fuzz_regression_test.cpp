@@ -9,16 +9,16 @@
 #include <sstream>
 #include <vector>
 
-#include "dataset/reader_properties.h"
+#include "dataset/command_properties.h"
 
 namespace jprim {
 namespace {
 
 // Sorted, because the order of a folder differs between machines.
-std::vector<std::string> readCorpus() {
+std::vector<std::string> readCorpus(const std::string& name) {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry :
-         std::filesystem::directory_iterator(JPRIM_SOURCE_DIR "/tests/fuzz/corpus/read_dataset"))
+         std::filesystem::directory_iterator(JPRIM_SOURCE_DIR "/tests/fuzz/corpus/" + name))
         paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
     std::vector<std::string> texts;
@@ -62,18 +62,36 @@ private:
     std::mt19937 m_random{20240607};
 };
 
+using FindBroken = std::string (*)(std::string_view);
+
+void checkSeeds(const std::string& corpus, FindBroken findBroken) {
+    const std::vector<std::string> texts = readCorpus(corpus);
+    EXPECT_GE(texts.size(), 3u);
+    for (const std::string& text : texts) EXPECT_EQ(findBroken(text), "") << text;
+}
+
+void checkMutations(const std::string& corpus, FindBroken findBroken) {
+    Mutator mutator(readCorpus(corpus));
+    for (int i = 0; i < 20000; ++i) {
+        const std::string text = mutator.make();
+        ASSERT_EQ(findBroken(text), "") << text;
+    }
+}
+
 TEST(DatasetFuzz, SeedsKeepTheProperties) {
-    const std::vector<std::string> texts = readCorpus();
-    EXPECT_GE(texts.size(), 5u);
-    for (const std::string& text : texts) EXPECT_EQ(findBrokenProperty(text), "") << text;
+    checkSeeds("read_dataset", findBrokenProperty);
 }
 
 TEST(DatasetFuzz, MutationsKeepTheProperties) {
-    Mutator mutator(readCorpus());
-    for (int i = 0; i < 20000; ++i) {
-        const std::string text = mutator.make();
-        ASSERT_EQ(findBrokenProperty(text), "") << text;
-    }
+    checkMutations("read_dataset", findBrokenProperty);
+}
+
+TEST(CommandFuzz, SeedsKeepTheProperties) {
+    checkSeeds("read_commands", findBrokenCommandProperty);
+}
+
+TEST(CommandFuzz, MutationsKeepTheProperties) {
+    checkMutations("read_commands", findBrokenCommandProperty);
 }
 
 }  // namespace

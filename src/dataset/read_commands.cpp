@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// A command file: two names, then one command after the other. What each says is read in command_rules.cpp.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "dataset/command_rules.h"
+#include "dataset/input_file.h"
+#include "dataset/statement_lexer.h"
+#include "dataset/statements.h"
+#include "dataset/text.h"
+
+namespace jprim {
+namespace {
+
+const CommandRule* findRule(std::string_view keyword) {
+    const std::vector<CommandRule>& rules = getCommandRules();
+    const WordMatch match = findWord(rules, keyword);
+    return match.found ? &rules[match.index] : nullptr;
+}
+
+// The command that a line begins with, or null.
+const CommandRule* findCommand(std::string_view line) {
+    const std::size_t slash = line.find('/');
+    return slash == line.npos || slash == 0 ? nullptr : findRule(trim(line.substr(0, slash)));
+}
+
+// A statement of a dataset that changes no motion may be given as a command, too.
+const StatementRule* findIgnored(std::string_view keyword) {
+    const std::vector<StatementRule>& rules = getStatementRules();
+    const WordMatch match = findWord(rules, keyword);
+    const bool ignored = match.found && rules[match.index].read == readIgnored && !rules[match.index].hasId;
+    return ignored ? &rules[match.index] : nullptr;
+}
+
+void readCommand(ReadState& state, CommandState& commands, const Statement& statement) {
+    StatementReader reader(state, statement);
+    const std::string_view keyword = reader.readKeyword();
+    if (reader.hasErrors()) return;
+    if (const CommandRule* const rule = findRule(keyword)) {
+        if (reader.readHead(rule->name, false)) rule->read(reader, commands);
+    } else if (const StatementRule* const ignored = findIgnored(keyword)) {
+        if (reader.readHead(ignored->name, false)) readIgnored(reader);
+    } else {
+        reader.addError(0, fmt::format("{} is not a supported command; these are FILE, SIMULATE, ACTIVATE, "
+                                       "DEACTIVATE, STOP and EXIT{}",
+                                       quote(keyword), suggestWord(getCommandRules(), keyword)));
+    }
+}
+
+bool saysNothing(std::string_view line) {
+    const std::string_view text = trim(line);
+    return text.empty() || text.front() == '!';
+}
+
+// A name is never a command, but a file without names would lose its first commands unseen.
+std::string takeName(std::string_view line, SourcePosition where, const char* what,
+                     Diagnostics& diagnostics) {
+    if (findCommand(line))
+        diagnostics.push_back(
+            {Severity::Warning, where,
+             fmt::format("this line names the {}, so {} is not read as a command", what, quote(line))});
+    return std::string(trim(line.substr(0, line.find('!'))));
+}
+
+// The first line that says something names the model, unless it is a FILE command, which then is left to be
+// read. The next line names the output; it may be blank.
+void readNames(StatementLexer& lexer, CommandState& commands, Diagnostics& diagnostics) {
+    StatementLexer ahead = lexer;
+    std::string_view line = ahead.takeLine();
+    while (saysNothing(line) && !ahead.atEnd()) {
+        lexer = ahead;
+        line = ahead.takeLine();
+    }
+    const CommandRule* const rule = findCommand(line);
+    if (saysNothing(line) || (rule && rule->name == "FILE")) return;
+    commands.modelLine = lexer.getPosition().line;
+    commands.file.model = takeName(line, lexer.getPosition(), "model", diagnostics);
+    const SourcePosition where = ahead.getPosition();
+    line = ahead.takeLine();
+    if (!saysNothing(line)) commands.file.output = takeName(line, where, "output", diagnostics);
+    lexer = ahead;
+}
+
+bool isStop(std::string_view text) {
+    return isWordAlone(text, "STOP") || isWordAlone(text, "EXIT");
+}
+
+}  // namespace
+
+CommandFile readCommands(std::string_view text, Diagnostics& diagnostics) {
+    const std::size_t earlier = diagnostics.size();
+    ReadState state(diagnostics);
+    CommandState commands;
+    StatementLexer lexer(text);
+    readNames(lexer, commands, diagnostics);
+    Statement statement;
+    while (lexer.next(statement) && !isStop(statement.text)) readCommand(state, commands, statement);
+    CommandFile& file = commands.file;
+    if (commands.modelLine == 0)
+        diagnostics.push_back(
+            {Severity::Error, {1, 1}, "no model is named; the first line may do it, or FILE/MODEL="});
+    sortByPosition(earlier, diagnostics);
+    if (file.output.empty()) file.output = file.model;
+    file.ignored = std::move(state.dataset.ignored);
+    return std::move(file);
+}
+
+CommandFile readCommandFile(const std::string& path, Diagnostics& diagnostics) {
+    const InputFile input(path, diagnostics);
+    if (!input.good) return {};
+    CommandFile file = readCommands(input.text, diagnostics);
+    file.folder = input.folder;
+    return file;
+}
+
+}  // namespace jprim
