@@ -53,7 +53,7 @@ enum class MarkerLink {
 };
 
 /// For ArgumentRule::most: no limit. `least` is then a lower bound.
-constexpr std::size_t Any = static_cast<std::size_t>(-1);
+constexpr std::size_t NoLimit = static_cast<std::size_t>(-1);
 
 /// One argument of a statement.
 struct ArgumentRule {

@@ -25,13 +25,13 @@ bool isId(ArgumentKind kind) {
 }
 
 bool isCountRight(const ArgumentRule& rule, std::size_t count) {
-    return count == rule.least || count == rule.most || (rule.most == Any && count > rule.least);
+    return count == rule.least || count == rule.most || (rule.most == NoLimit && count > rule.least);
 }
 
 std::string describeCount(const ArgumentRule& rule) {
     const char* const what = rule.kind == ArgumentKind::Node ? "node" : isId(rule.kind) ? "id" : "number";
     if (rule.most == 1) return fmt::format("1 {}", what);
-    if (rule.most == Any) return fmt::format("at least {} {}s", rule.least, what);
+    if (rule.most == NoLimit) return fmt::format("at least {} {}s", rule.least, what);
     if (rule.least == rule.most) return fmt::format("{} {}s", rule.most, what);
     return fmt::format("{} or {} {}s", rule.least, rule.most, what);
 }

@@ -149,7 +149,7 @@ const ArgumentTable<ActivateCommand>& getActivateTable() {
                                            {kind("JOINT", 1), setKind},
                                            {kind("GCON", 2), setKind},
                                            {kind("MOTION", 1), setKind},
-                                           {ArgumentRule("ID", Kind::Id).of(1, Any),
+                                           {ArgumentRule("ID", Kind::Id).of(1, NoLimit),
                                             [](A& a, const V& v) {
                                                 for (const int id : v.ids) a.ids.push_back({id, id});
                                             }},

@@ -31,9 +31,9 @@ const ArgumentTable<SplineArguments>& getSplineTable() {
     using S = SplineArguments;
     constexpr std::size_t LeastPoints = 4;
     static const ArgumentTable<S> table = {
-        {ArgumentRule("X", Kind::Real, ExactOnly).of(LeastPoints, Any).required(),
+        {ArgumentRule("X", Kind::Real, ExactOnly).of(LeastPoints, NoLimit).required(),
          [](S& s, const V& v) { s.xs = v; }},
-        {ArgumentRule("Y", Kind::Real, ExactOnly).of(LeastPoints, Any).required().repeated(),
+        {ArgumentRule("Y", Kind::Real, ExactOnly).of(LeastPoints, NoLimit).required().repeated(),
          [](S& s, const V& v) { s.ys.push_back(v); }},
         {{"LINEAR_EXTRAPOLATE", Kind::Flag}, [](S& s, const V&) { s.linearExtrapolate = true; }},
         {{"FILE", Kind::Unsupported, 2}, nullptr},

@@ -42,7 +42,7 @@ const ArgumentTable<CouplerArguments>& getCouplerTable() {
                                                 for (const std::size_t word : v.words)
                                                     c.types.push_back(static_cast<CouplerType>(word));
                                             }},
-                                           {ArgumentRule("SCALES", Kind::Real).of(1, Any).required(),
+                                           {ArgumentRule("SCALES", Kind::Real).of(1, NoLimit).required(),
                                             [](C& c, const V& v) { c.scales = v.numbers; }},
                                            {{"FUNCTION", Kind::Subroutine, 2}, nullptr}};
     return table;

@@ -46,9 +46,31 @@ void setIc(JointArguments& j, const V& v) {
     j.degrees = v.degrees;
 }
 
-const ArgumentTable<JointArguments>& getJointTable() {
+// Friction of old files: zeros say that there is none.
+void addFriction(ArgumentTable<JointArguments>& table) {
+    table.add({{{"DELTA_V", Kind::Zero}, nullptr},
+               {{"MU_DYN_ROT", Kind::Zero, 8}, nullptr},
+               {{"MU_STAT_ROT", Kind::Zero, 9}, nullptr},
+               {{"MU_DYN_TRANS", Kind::Zero, 8}, nullptr},
+               {{"MU_STAT_TRANS", Kind::Zero, 9}, nullptr},
+               {{"MAX_FRIC_ROT", Kind::Zero, 10}, nullptr},
+               {{"MAX_FRIC_TRANS", Kind::Zero, 10}, nullptr},
+               {{"MAX_DEFORMATION", Kind::Zero, 5}, nullptr},
+               {{"INNER_RADIUS", Kind::Zero, 2}, nullptr},
+               {{"OUTER_RADIUS", Kind::Zero}, nullptr},
+               {{"PIN_RADIUS", Kind::Zero, 3}, nullptr},
+               {{"BALL_RADIUS", Kind::Zero}, nullptr},
+               {{"HEIGHT", Kind::Zero, 2}, nullptr},
+               {{"WIDTH", Kind::Zero}, nullptr},
+               {{"PRELOAD_RADIAL", Kind::Zero, 9}, nullptr},
+               {{"PRELOAD_AXIAL", Kind::Zero, 9}, nullptr},
+               {{"PRELOAD_X", Kind::Zero, ExactOnly}, nullptr},
+               {{"PRELOAD_Y", Kind::Zero, ExactOnly}, nullptr}});
+}
+
+ArgumentTable<JointArguments> makeJointTable() {
     using J = JointArguments;
-    static const ArgumentTable<J> table = {
+    ArgumentTable<J> table = {
         {type("SPHERICAL"), setType<J>},
         {type("REVOLUTE"), setType<J>},
         {type("CYLINDRICAL"), setType<J>},
@@ -68,26 +90,8 @@ const ArgumentTable<JointArguments>& getJointTable() {
         {ArgumentRule("ICTRAN", Kind::Real, 3).of(1, 2),
          [](J& j, const V& v) { j.icTranslation = makeInitialValue(v); }},
         {ArgumentRule("ICROT", Kind::Angle, 3).of(1, 2),
-         [](J& j, const V& v) { j.icRotation = makeInitialValue(v); }},
-        // Friction of old files: zeros say that there is none.
-        {{"DELTA_V", Kind::Zero}, nullptr},
-        {{"MU_DYN_ROT", Kind::Zero, 8}, nullptr},
-        {{"MU_STAT_ROT", Kind::Zero, 9}, nullptr},
-        {{"MU_DYN_TRANS", Kind::Zero, 8}, nullptr},
-        {{"MU_STAT_TRANS", Kind::Zero, 9}, nullptr},
-        {{"MAX_FRIC_ROT", Kind::Zero, 10}, nullptr},
-        {{"MAX_FRIC_TRANS", Kind::Zero, 10}, nullptr},
-        {{"MAX_DEFORMATION", Kind::Zero, 5}, nullptr},
-        {{"INNER_RADIUS", Kind::Zero, 2}, nullptr},
-        {{"OUTER_RADIUS", Kind::Zero}, nullptr},
-        {{"PIN_RADIUS", Kind::Zero, 3}, nullptr},
-        {{"BALL_RADIUS", Kind::Zero}, nullptr},
-        {{"HEIGHT", Kind::Zero, 2}, nullptr},
-        {{"WIDTH", Kind::Zero}, nullptr},
-        {{"PRELOAD_RADIAL", Kind::Zero, 9}, nullptr},
-        {{"PRELOAD_AXIAL", Kind::Zero, 9}, nullptr},
-        {{"PRELOAD_X", Kind::Zero, ExactOnly}, nullptr},
-        {{"PRELOAD_Y", Kind::Zero, ExactOnly}, nullptr}};
+         [](J& j, const V& v) { j.icRotation = makeInitialValue(v); }}};
+    addFriction(table);
     return table;
 }
 
@@ -128,8 +132,9 @@ void readJprim(StatementReader& reader) {
 }
 
 void readJoint(StatementReader& reader) {
+    static const ArgumentTable<JointArguments> table = makeJointTable();
     JointArguments joint;
-    if (reader.readStatement(getJointTable(), joint)) checkJoint(reader, joint);
+    if (reader.readStatement(table, joint)) checkJoint(reader, joint);
     if (!reader.hasErrors()) reader.updState().dataset.joints.push_back(joint);
 }
 

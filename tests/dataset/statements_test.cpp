@@ -131,6 +131,7 @@ TEST(DatasetReader, EveryJointType) {
     checkType<JointType>("JOINT", "F", JointType::Fixed, get);
     checkType<JointType>("J", "U", JointType::Universal, get);
     checkType<JointType>("j", "H", JointType::Hooke, get);
+    checkType<JointType>("J", "CO", JointType::Convel, get);
 }
 
 // The form with leading zeros that the documentation uses for JPRIM.
