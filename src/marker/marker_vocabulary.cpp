@@ -75,9 +75,10 @@ Operand makeIncludedAngle(MarkerFrames& f, const int* m, int) {
     return b.atan2(b.norm(b.cross(toI, toK)), b.multiply(toI, toK));
 }
 
+// Zero where the markers coincide.
 Operand makeRadialVelocity(MarkerFrames& f, const int* m, int) {
-    const Operand along = f.updBuilder().multiply(f.velocity(m[0], m[1], m[2]), f.position(m[0], m[1]));
-    return f.updBuilder().divide(along, f.distance(m[0], m[1]));
+    ProgramBuilder& b = f.updBuilder();
+    return b.multiply(f.velocity(m[0], m[1], m[2]), b.normalize(f.position(m[0], m[1])));
 }
 
 // clang-format off

@@ -131,15 +131,15 @@ bool isHolonomic(const Mechanism& mechanism, const State& state) {
     return std::all_of(equations.begin(), equations.end(), [](const auto& e) { return e.isHolonomic; });
 }
 
-bool isKinematic(const Mechanism& mechanism, const State& state, int freedoms, Analysis analysis) {
+bool isKinematic(const Mechanism& mechanism, const State& state, int freedoms, SimulationKind kind) {
     const bool isPossible = freedoms == 0 && isHolonomic(mechanism, state);
-    if (analysis == Analysis::Kinematics && !isPossible)
+    if (kind == SimulationKind::Kinematics && !isPossible)
         throw Error(
             "kinematics",
             fmt::format("needs a mechanism without freedoms and without MOTIONs or GCONs of velocities; "
                         "this one has {} degrees of freedom; run dynamics instead",
                         freedoms));
-    return isPossible && analysis != Analysis::Dynamics;
+    return isPossible && kind != SimulationKind::Dynamics;
 }
 
 /// One simulation: the loop over output times and what happens at each.
@@ -180,7 +180,7 @@ private:
         const ConstraintCount count = countFreedoms(m_mechanism.getMatter(), initial);
         summary.degreesOfFreedom = count.getDegreesOfFreedom();
         summary.redundantEquations = count.getNumRedundant();
-        summary.isKinematic = isKinematic(m_mechanism, initial, summary.degreesOfFreedom, m_options.analysis);
+        summary.isKinematic = isKinematic(m_mechanism, initial, summary.degreesOfFreedom, m_options.kind);
         m_stepper = summary.isKinematic
                         ? makeKinematics(m_mechanism, initial, m_options)
                         : makeIntegration(m_mechanism, initial, m_options, !m_mechanism.getSensors().empty());

@@ -13,10 +13,10 @@ namespace jprim {
 
 /// How to go on in time. Automatic: kinematics where nothing is free to move and all constraints are on
 /// positions, else dynamics.
-enum class Analysis { Automatic, Dynamics, Kinematics };
+enum class SimulationKind { Automatic, Dynamics, Kinematics };
 
 struct SimulationOptions {
-    Analysis analysis = Analysis::Automatic;
+    SimulationKind kind = SimulationKind::Automatic;
     double end = 0;   ///< end time, in the dataset's unit; it starts at the time of the initial state
     int steps = 100;  ///< output steps of equal length; steps + 1 rows are recorded
     /// Relative, of the integrator; a tenth of it for constraint errors (root mean square).
