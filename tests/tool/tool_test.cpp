@@ -86,12 +86,12 @@ TEST_F(Tool, ProgressBarOnATerminalOnly) {
 TEST_F(Tool, AllErrorsOfADatasetAreListedAndItExitsWith3) {
     const std::string model = write("bad.adm",
                                     "bad\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=1,CM=20,IP=1,1,1\n"
-                                    "MARKER/20,QQQ=1,2,3\nGCON/1,FUNCTION=1\nEND\n");
+                                    "MARKER/20,QQQ=1,2,3\nBEAM/1,I=10,J=20\nEND\n");
     for (const std::string& command : {"run " + model + " --end 1", "check " + model}) {
         const Outcome r = run(command);
         EXPECT_EQ(r.exitCode, 3);
         EXPECT_NE(r.err.find(model + ":5:11: error: "), std::string::npos) << r.err;
-        EXPECT_NE(r.err.find(model + ":6:1: error: GCON"), std::string::npos) << r.err;
+        EXPECT_NE(r.err.find(model + ":6:1: error: BEAM"), std::string::npos) << r.err;
         EXPECT_EQ(r.out, "");
     }
 }
