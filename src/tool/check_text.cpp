@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 #include "tool/check_report.h"
 
 namespace jprim::tool {
@@ -42,18 +44,20 @@ private:
     std::string m_length;
 };
 
-// "JOINT/1 REVOLUTE (translation of I along Xj, rotation between Zi and Xj), JOINT/2 …"
-std::string formatByElement(const std::vector<ConstraintEquation>& equations, const std::vector<int>& some) {
-    std::string text;
-    for (size_t k = 0; k < some.size(); ++k) {
-        const ConstraintEquation& equation = equations[size_t(some[k])];
-        const bool isSame = k > 0 && equations[size_t(some[k - 1])].element == equation.element;
-        if (isSame)
-            text += ", " + equation.words;
+// One line for each element: "JOINT/1 REVOLUTE: translation of I along Xj, rotation between Zi and Xj".
+std::vector<std::string> formatByElement(const std::vector<ConstraintEquation>& equations,
+                                         const std::vector<int>& some) {
+    std::vector<std::string> lines;
+    std::string element;
+    for (const int k : some) {
+        const ConstraintEquation& equation = equations[size_t(k)];
+        if (!lines.empty() && equation.element == element)
+            lines.back() += ", " + equation.words;
         else
-            text += (k > 0 ? "), " : "") + equation.element + " (" + equation.words;
+            lines.push_back(equation.getText());
+        element = equation.element;
     }
-    return text + ")";
+    return lines;
 }
 
 void Printer::printCounts() const {
@@ -95,8 +99,10 @@ void Printer::printRedundant() const {
         const std::string level =
             equation.level == EquationLevel::Holonomic ? "" : fmt::format(" ({})", getName(equation.level));
         printLine(r.onlyHere ? "redundant only here" : "redundant", equation.getText() + level);
-        printLine("    follows from", r.dependsOn.empty() ? "nothing: it asks for nothing"
-                                                          : formatByElement(c.equations, r.dependsOn));
+        std::string label = "    follows from";
+        for (const std::string& line : formatByElement(c.equations, r.dependsOn))
+            printLine(std::exchange(label, ""), line);
+        if (r.dependsOn.empty()) printLine(label, "nothing: no motion changes it");
     }
 }
 
