@@ -144,7 +144,7 @@ TEST_F(Tool, CheckSaysWhenOnlyExactIsInTheWay) {
         held.insert(held.find(part) + std::string(part).size(), ",EXACT=X:Y:Z:PSI:THETA:PHI");
     const Outcome text = run("check " + write("held.adm", held));
     EXPECT_EQ(text.exitCode, 3);
-    EXPECT_NE(text.err.find("held by EXACT"), std::string::npos) << text.err;
+    EXPECT_NE(text.err.find("the EXACT coordinates of PART/3"), std::string::npos) << text.err;
     expectLines(text.out,
                 {"no conflict             the equations alone can be met near the given positions\n"});
 }
