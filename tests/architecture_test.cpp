@@ -32,7 +32,8 @@ const std::map<std::string, Rooms> AllowedUses = {
     {"build",
      {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
       "dataset"}},
-    {"simulation", {"base", "expression", "marker", "general", "force", "joint", "analysis", "build"}},
+    {"simulation",
+     {"base", "expression", "marker", "general", "force", "joint", "analysis", "dataset", "build"}},
     {"tool",
      {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
       "dataset", "build", "simulation"}}};

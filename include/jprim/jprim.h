@@ -39,7 +39,9 @@
 #include "jprim/primitive/primitive.h"
 #include "jprim/primitive/primitives.h"
 #include "jprim/simulation/assemble.h"
+#include "jprim/simulation/equilibrium.h"
 #include "jprim/simulation/results.h"
+#include "jprim/simulation/run_commands.h"
 #include "jprim/simulation/simulate.h"
 #include "jprim/version.h"
 

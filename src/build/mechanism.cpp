@@ -51,6 +51,21 @@ Real Mechanism::calcJOINT(const State& state, int id, int jflag, int comp, int r
     return calcReaction(state, fmt::format("JOINT/{}", id), jflag, comp, rm);
 }
 
+std::vector<std::string> Mechanism::getSwitchableElements() const {
+    std::vector<std::string> names;
+    for (const Connection& connection : m_connections) names.push_back(connection.name);
+    for (const Equation& equation : m_equations) names.push_back(equation.name);
+    return names;
+}
+
+std::vector<SimTK::Constraint> Mechanism::getConstraints(const std::string& element) const {
+    for (const Connection& connection : m_connections)
+        if (connection.name == element) return connection.joint.getConstraints();
+    for (const Equation& equation : m_equations)
+        if (equation.name == element) return {equation.constraint};
+    throw Error(element, "does not exist in this mechanism");
+}
+
 // Within each level Simbody numbers the equations in the order in which constraints were added.
 std::vector<Mechanism::EquationName> Mechanism::findEquations(const State& state) const {
     std::array<std::vector<EquationName>, 3> levels;

@@ -11,10 +11,10 @@
 #include <Eigen/QR>
 
 #include "marker/marker_expression.h"
+#include "simulation/constraint_jacobian.h"
 
 namespace jprim {
 
-using SimTK::Matrix;
 using SimTK::Real;
 using SimTK::SpatialVec;
 using SimTK::State;
@@ -23,8 +23,6 @@ using SimTK::Vector;
 
 namespace {
 
-// Rows of G S that depend on the others cancel to about the assembly tolerance.
-constexpr double RankTolerance = 1e-8;
 // Given velocities count as admissible if they violate the constraints by no more than rounding.
 constexpr double Admissible = 1e-12;
 
@@ -116,24 +114,9 @@ Eigen::VectorXd calcErrors(const Mechanism& mechanism, State& state, const Eigen
     return result;
 }
 
-// Equations on accelerations come last in Simbody's G and are left out.
-Eigen::MatrixXd calcG(const Mechanism& mechanism, const State& state, Eigen::Index numEquations) {
-    if (numEquations == 0) return Eigen::MatrixXd::Zero(0, state.getNU());
-    Matrix G;
-    mechanism.getMatter().calcG(state, G);
-    return Eigen::Map<const Eigen::MatrixXd>(&G(0, 0), G.nrow(), G.ncol()).topRows(numEquations);
-}
-
-Eigen::MatrixXd calcNullSpace(const Eigen::MatrixXd& A) {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
-    qr.setThreshold(RankTolerance);
-    const Eigen::MatrixXd Q = qr.householderQ();
-    return Q.rightCols(A.cols() - qr.rank());
-}
-
 Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(RankTolerance);
+    decomposition.setThreshold(JacobianRankTolerance);
     return decomposition.compute(A).solve(b);
 }
 
@@ -144,7 +127,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& GS, const Eigen::VectorXd& b, const
     if (!b.isZero(0)) p = solveLeastNorm(GS, b);
     const Eigen::MatrixXd Z = calcNullSpace(GS);
     const Eigen::MatrixXd CSZ = CS * Z;
-    if (Z.cols() == 0 || CSZ.norm() < RankTolerance) return p;
+    if (Z.cols() == 0 || CSZ.norm() < JacobianRankTolerance) return p;
     return p + Z * CSZ.completeOrthogonalDecomposition().solve(given.c - CS * p);
 }
 
@@ -162,7 +145,8 @@ Vector calcInitialVelocities(const Mechanism& mechanism, const State& positions)
     const bool isAdmissible =
         given.isOrthonormal && calcErrors(mechanism, state, u).norm() <= Admissible * u.norm();
     if (!isAdmissible) {
-        const Eigen::MatrixXd GS = calcG(mechanism, state, b.size()) * given.scale.asDiagonal();
+        const Eigen::MatrixXd GS =
+            calcConstraintJacobian(mechanism, state, b.size()) * given.scale.asDiagonal();
         u = given.scale.asDiagonal() * solve(GS, b, given);
     }
     return Vector(int(u.size()), u.data());

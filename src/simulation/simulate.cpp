@@ -22,6 +22,7 @@ using SimTK::State;
 namespace {
 
 void checkOptions(const SimulationOptions& options, double start) {
+    if (options.steps == 0) return;
     if (!(options.end > start) || !std::isfinite(options.end))
         throw Error("end", fmt::format("{} is not a time after the start at {}", options.end, start));
     checkIntegratorName(options.integrator);
@@ -139,7 +140,7 @@ bool isKinematic(const Mechanism& mechanism, const State& state, int freedoms, S
             fmt::format("needs a mechanism without freedoms and without MOTIONs or GCONs of velocities; "
                         "this one has {} degrees of freedom; run dynamics instead",
                         freedoms));
-    return isPossible && kind != SimulationKind::Dynamics;
+    return isPossible && (kind == SimulationKind::Automatic || kind == SimulationKind::Kinematics);
 }
 
 /// One simulation: the loop over output times and what happens at each.
@@ -158,10 +159,11 @@ public:
         makeStepper(initial);
         try {
             for (int k = 0; k <= m_options.steps && !m_firing; ++k) {
-                const double time = start + (m_options.end - start) * k / m_options.steps;
-                stepTo(k == m_options.steps ? m_options.end * second : time * second);
+                const double fraction = k == 0 ? 0 : double(k) / m_options.steps;
+                const double time = start + (m_options.end - start) * fraction;
+                if (k > 0) stepTo(k == m_options.steps ? m_options.end * second : time * second);
                 record();
-                if (m_options.reportProgress) m_options.reportProgress(double(k) / m_options.steps);
+                if (m_options.reportProgress) m_options.reportProgress(fraction);
             }
         } catch (const std::exception& exception) {
             m_outcome.failure = describeFailure(m_mechanism, m_stepper->getState(), exception.what());
@@ -181,6 +183,10 @@ private:
         summary.degreesOfFreedom = count.getDegreesOfFreedom();
         summary.redundantEquations = count.getNumRedundant();
         summary.isKinematic = isKinematic(m_mechanism, initial, summary.degreesOfFreedom, m_options.kind);
+        if (m_options.kind == SimulationKind::Statics) {
+            m_stepper = makeStatics(m_mechanism, initial);
+            return;
+        }
         m_stepper = summary.isKinematic
                         ? makeKinematics(m_mechanism, initial, m_options)
                         : makeIntegration(m_mechanism, initial, m_options, !m_mechanism.getSensors().empty());

@@ -33,6 +33,10 @@ std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const SimTK
 std::unique_ptr<Stepper> makeKinematics(const Mechanism& mechanism, const SimTK::State& initial,
                                         const SimulationOptions& options);
 
+/// Goes from equilibrium to equilibrium; the first is the one near the initial State.
+/// @throws Error if there is none
+std::unique_ptr<Stepper> makeStatics(const Mechanism& mechanism, const SimTK::State& initial);
+
 }  // namespace jprim
 
 #endif

@@ -11,7 +11,10 @@ namespace {
 ElementNames nameElements(const Mechanism& mechanism) {
     std::vector<Joint> joints;
     for (const Connection& connection : mechanism.getConnections()) joints.push_back(connection.joint);
-    return jprim::nameElements(joints);
+    ElementNames names = jprim::nameElements(joints);
+    for (const Equation& equation : mechanism.getEquations())
+        names[equation.constraint.getConstraintIndex()] = {equation.name, {"its equation"}};
+    return names;
 }
 
 void countElements(CheckReport& report) {
@@ -19,6 +22,8 @@ void countElements(CheckReport& report) {
         const std::string kind = connection.name.substr(0, connection.name.find('/'));
         ++report.elements[kind][connection.joint.getAdamsType()];
     }
+    for (const Equation& equation : report.model.mechanism->getEquations())
+        ++report.elements[equation.name.substr(0, equation.name.find('/'))][""];
 }
 
 State getGivenState(const Mechanism& mechanism) {

@@ -71,9 +71,10 @@ void Printer::printCounts() const {
         std::vector<std::string> parts;
         for (const auto& [type, count] : types) {
             sum += count;
-            parts.push_back(fmt::format("{} {}", count, type));
+            if (!type.empty()) parts.push_back(fmt::format("{} {}", count, type));
         }
-        printLine(kind, fmt::format("{} ({})", sum, fmt::join(parts, ", ")));
+        printLine(kind,
+                  parts.empty() ? std::to_string(sum) : fmt::format("{} ({})", sum, fmt::join(parts, ", ")));
     }
     printLine("requests", d.requests.size());
 }

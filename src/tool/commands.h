@@ -8,6 +8,7 @@
 
 #include "jprim/base/diagnostic.h"
 #include "jprim/build/mechanism.h"
+#include "jprim/dataset/commands.h"
 
 namespace jprim::tool {
 
@@ -15,8 +16,10 @@ namespace jprim::tool {
 enum ExitCode { Done = 0, SimulationFailed = 1, WrongUsage = 2, DatasetHasErrors = 3 };
 
 struct RunArguments {
-    std::string model;
-    double end = 0;
+    std::string model;  ///< dataset (.adm) or command file (.acf)
+    bool statics = false;
+    std::string start = "given";  ///< or "equilibrium"
+    double end = 0;               ///< 0 if not given
     int steps = 0;
     double dtout = 0;
     double accuracy = 1e-6;
@@ -53,6 +56,18 @@ struct Model {
 
 /// Reads and builds a model, printing all its diagnostics to standard error.
 Model loadModel(const std::string& path);
+
+/// A command file and the model it names, as far as they could be loaded.
+struct LoadedCommands {
+    CommandFile file;
+    Model model;
+};
+
+/// True of a name that ends in .acf, in any case.
+bool isCommandFile(const std::string& path);
+
+/// Reads a command file, and reads and builds its model, printing all diagnostics to standard error.
+LoadedCommands loadCommands(const std::string& path);
 
 /// What a length is called in the dataset: "MILLIMETER", or "length units" where it names none.
 std::string getLengthName(const Dataset& dataset);

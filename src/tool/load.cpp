@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 
 #include "jprim/build/build_mechanism.h"
 #include "jprim/dataset/read_dataset.h"
@@ -31,6 +34,26 @@ Model loadModel(const std::string& path) {
     for (const Diagnostic& diagnostic : model.diagnostics)
         fmt::print(stderr, "{}\n", formatDiagnostic(path, diagnostic));
     return model;
+}
+
+bool isCommandFile(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return ending == ".acf";
+}
+
+LoadedCommands loadCommands(const std::string& path) {
+    LoadedCommands loaded;
+    Diagnostics diagnostics;
+    loaded.file = readCommandFile(path, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics)
+        fmt::print(stderr, "{}\n", formatDiagnostic(path, diagnostic));
+    if (hasErrors(diagnostics)) return loaded;
+    std::filesystem::path model = std::filesystem::path(loaded.file.folder) / loaded.file.model;
+    if (!model.has_extension()) model += ".adm";
+    loaded.model = loadModel(model.string());
+    return loaded;
 }
 
 }  // namespace jprim::tool

@@ -36,10 +36,14 @@ const CLI::Validator PositiveTime = makeRange(0, 1e100, "a positive time");
 const CLI::Validator Accuracy = makeRange(0, 0.1, "between 0 and 0.1");
 
 void addRunOptions(CLI::App& command, RunArguments& arguments) {
-    command.add_option("MODEL", arguments.model, "Adams/Solver dataset (.adm)")->required();
-    command.add_option("--end", arguments.end, "End time, in the dataset's unit")
-        ->required()
-        ->check(PositiveTime);
+    command.add_option("MODEL", arguments.model, "Adams/Solver dataset (.adm) or command file (.acf)")
+        ->required();
+    command.add_option("--end", arguments.end, "End time, in the dataset's unit")->check(PositiveTime);
+    command.add_flag("--statics", arguments.statics,
+                     "Find the static equilibrium; with --end at each output time");
+    command.add_option("--start", arguments.start, "Where to start: as given, or at the equilibrium near it")
+        ->check(CLI::IsMember({"given", "equilibrium"}))
+        ->capture_default_str();
     auto* steps = command.add_option("--steps", arguments.steps, "Number of output steps (100)");
     steps->check(CLI::PositiveNumber);
     command.add_option("--dtout", arguments.dtout, "Length of an output step, in the dataset's unit")

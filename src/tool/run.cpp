@@ -5,7 +5,8 @@
 #include <cstdio>
 
 #include "jprim/base/error.h"
-#include "jprim/simulation/simulate.h"
+#include "jprim/simulation/equilibrium.h"
+#include "jprim/simulation/run_commands.h"
 #include "tool/commands.h"
 #include "tool/progress_bar.h"
 
@@ -13,8 +14,7 @@ namespace jprim::tool {
 
 namespace {
 
-void printSummary(const Model& model, const SimulationOutcome& outcome) {
-    const SimulationSummary& s = outcome.summary;
+void printSummary(const Model& model, const SimulationSummary& s) {
     const UnitSystem& units = model.mechanism->getUnits();
     const double energy = units.getEnergy();
     fmt::print("degrees of freedom       {}\n", s.degreesOfFreedom);
@@ -26,12 +26,14 @@ void printSummary(const Model& model, const SimulationOutcome& outcome) {
                s.energyAtStart / energy, s.largestEnergyChange / energy);
     if (s.energyScale > 0)
         fmt::print(" ({:.2g} of the kinetic energy's range)", s.largestEnergyChange / s.energyScale);
-    fmt::print("\nintegration steps        {}\n", s.stepsTaken);
+    fmt::print("\n{:<25}{}\n", s.isKinematic ? "kinematic steps" : "integration steps", s.stepsTaken);
+    if (!s.endedBy.empty()) fmt::print("ended by                 {}\n", s.endedBy);
     fmt::print("wall time                {:.3f} s\n", s.wallSeconds);
 }
 
 // An output step that does not divide the run leaves its end out; better to say so before a long run.
 std::optional<int> chooseSteps(const RunArguments& arguments) {
+    if (arguments.end == 0) return 0;
     if (arguments.dtout == 0) return arguments.steps > 0 ? arguments.steps : SimulationOptions().steps;
     const double steps = std::round(arguments.end / arguments.dtout);
     if (!(steps >= 1 && steps <= 1e9) ||
@@ -53,48 +55,105 @@ void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism
     fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
 }
 
-SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism, int steps) {
-    const AssembledState initial = assemble(mechanism);
-    ProgressBar bar(!arguments.quiet);
+SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
     SimulationOptions options;
+    options.kind = arguments.statics ? SimulationKind::Statics : SimulationKind::Automatic;
     options.end = arguments.end;
-    options.steps = steps;
     options.accuracy = arguments.accuracy;
     options.integrator = arguments.integrator;
     options.reportProgress = [&bar](double fraction) { bar.update(fraction); };
+    return options;
+}
+
+SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism, int steps) {
+    AssembledState initial = assemble(mechanism);
+    if (arguments.start == "equilibrium") initial.state = findEquilibrium(mechanism, initial.state);
+    ProgressBar bar(!arguments.quiet);
+    SimulationOptions options = makeOptions(arguments, bar);
+    options.steps = steps;
     return simulate(mechanism, initial, options);
 }
 
-}  // namespace
-
-ExitCode run(const RunArguments& arguments) {
-    const std::optional<int> steps = chooseSteps(arguments);
-    if (!steps) {
-        fmt::print(stderr,
-                   "--end {} is not a multiple of --dtout {}\nRun with --help for more information.\n",
-                   arguments.end, arguments.dtout);
-        return WrongUsage;
+// What the arguments lack or have too much of, or empty.
+std::string findMisuse(const RunArguments& arguments) {
+    if (isCommandFile(arguments.model)) {
+        const bool given = arguments.end > 0 || arguments.steps > 0 || arguments.dtout > 0 ||
+                           arguments.statics || arguments.start != "given";
+        return given
+                   ? "a command file says itself what to simulate; --end, --steps, --dtout, --statics and --start "
+                     "are for datasets"
+                   : "";
     }
+    if (arguments.end == 0 && !arguments.statics) return "--end is required";
+    if (!chooseSteps(arguments))
+        return fmt::format("--end {} is not a multiple of --dtout {}", arguments.end, arguments.dtout);
+    return "";
+}
+
+void printResultsLine(const RunArguments& arguments) {
+    if (!arguments.quiet && !arguments.out.empty())
+        fmt::print("results                  requests.csv, reactions.csv and parts.csv in {}\n",
+                   arguments.out);
+}
+
+ExitCode runDataset(const RunArguments& arguments) {
     const Model model = loadModel(arguments.model);
     if (!model.mechanism) return DatasetHasErrors;
-
     SimulationOutcome outcome;
     try {
         // Before the simulation, not after it, is the time to learn that nothing can be written.
         if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
-        outcome = simulateModel(arguments, *model.mechanism, *steps);
+        outcome = simulateModel(arguments, *model.mechanism, *chooseSteps(arguments));
         if (!outcome.failure.empty()) printError(arguments.model, outcome.failure);
         if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
     } catch (const std::exception& error) {
         printError(arguments.model, error.what());
         return SimulationFailed;
     }
-    if (!arguments.quiet) printSummary(model, outcome);
-    if (!arguments.quiet && !arguments.out.empty())
-        fmt::print("results                  requests.csv, reactions.csv and parts.csv in {}\n",
-                   arguments.out);
+    if (!arguments.quiet) printSummary(model, outcome.summary);
+    printResultsLine(arguments);
     warnOfEnergyError(arguments, *model.mechanism, outcome.summary);
     return outcome.failure.empty() ? Done : SimulationFailed;
+}
+
+ExitCode runCommandFile(const RunArguments& arguments) {
+    const LoadedCommands loaded = loadCommands(arguments.model);
+    if (!loaded.model.mechanism) return DatasetHasErrors;
+    RunArguments used = arguments;
+    if (used.out.empty()) used.out = loaded.file.output;
+    CommandsOutcome outcome;
+    try {
+        if (!used.out.empty()) writeResults(outcome.results, used.out);
+        ProgressBar bar(!used.quiet);
+        outcome = runCommands(*loaded.model.mechanism, loaded.file.commands, makeOptions(used, bar));
+        if (!outcome.failure.empty())
+            fmt::print(stderr, "{}\n",
+                       formatDiagnostic(used.model, {Severity::Error, outcome.where, outcome.failure}));
+        if (!used.out.empty()) writeResults(outcome.results, used.out);
+    } catch (const std::exception& error) {
+        printError(used.model, error.what());
+        return SimulationFailed;
+    }
+    for (const CommandSummary& summary : outcome.summaries) {
+        if (!used.quiet) {
+            fmt::print("{} from {} to {}\n", summary.command, summary.start, summary.end);
+            printSummary(loaded.model, summary.simulation);
+        }
+        warnOfEnergyError(used, *loaded.model.mechanism, summary.simulation);
+    }
+    printResultsLine(used);
+    return outcome.failure.empty() ? Done : SimulationFailed;
+}
+
+}  // namespace
+
+ExitCode run(const RunArguments& arguments) {
+    const std::string misuse = findMisuse(arguments);
+    if (!misuse.empty()) {
+        fmt::print(stderr, "{}\nRun with --help for more information.\n", misuse);
+        return WrongUsage;
+    }
+    return isCommandFile(arguments.model) ? runCommandFile(arguments) : runDataset(arguments);
 }
 
 }  // namespace jprim::tool

@@ -165,8 +165,8 @@ TEST(Simulate, RefusesImpossibleOptions) {
     SimulationOptions options;
     expectOptionError(options, "end: 0 is not a time after the start at 0");
     options.end = 1;
-    options.steps = 0;
-    expectOptionError(options, "steps: 0 is not a positive number");
+    options.steps = -1;
+    expectOptionError(options, "steps: -1 is not a positive number");
     options.steps = 1;
     options.accuracy = 2;
     expectOptionError(options, "accuracy: 2 is not between 0 and 1");

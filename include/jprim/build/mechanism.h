@@ -150,6 +150,10 @@ public:
     SimTK::Real calcJPRIM(const SimTK::State& state, int id, int jflag, int comp, int rm = 0) const;
     SimTK::Real calcJOINT(const SimTK::State& state, int id, int jflag, int comp, int rm = 0) const;
 
+    /// The elements that can be switched off and on, "JPRIM/3", and the constraints that each is made of.
+    std::vector<std::string> getSwitchableElements() const;
+    std::vector<SimTK::Constraint> getConstraints(const std::string& element) const;
+
     /// One constraint equation, as Simbody numbers them: those of positions first (getQErr()), then those of
     /// velocities, then those of accelerations. Requires Stage::Model.
     struct EquationName {

@@ -12,13 +12,14 @@
 namespace jprim {
 
 /// How to go on in time. Automatic: kinematics where nothing is free to move and all constraints are on
-/// positions, else dynamics.
-enum class SimulationKind { Automatic, Dynamics, Kinematics };
+/// positions, else dynamics. Statics: an equilibrium at each output time.
+enum class SimulationKind { Automatic, Dynamics, Kinematics, Statics };
 
 struct SimulationOptions {
     SimulationKind kind = SimulationKind::Automatic;
-    double end = 0;   ///< end time, in the dataset's unit; it starts at the time of the initial state
-    int steps = 100;  ///< output steps of equal length; steps + 1 rows are recorded
+    double end = 0;  ///< end time, in the dataset's unit; it starts at the time of the initial state
+    /// Output steps of equal length; steps + 1 rows are recorded. With 0 steps only the initial state is.
+    int steps = 100;
     /// Relative, of the integrator; a tenth of it for constraint errors (root mean square).
     double accuracy = 1e-6;
     std::string integrator = "RungeKuttaMerson";  ///< one of getIntegratorNames()

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Command files and equilibrium, as a user runs them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tool/tool_fixture.h"
+
+namespace jprim::testing {
+namespace {
+
+const char* const Pendulum =
+    "pendulum\nACCGRAV/JGRAV=-9.81\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.1,0.1,0.2\n"
+    "MARKER/20,QP=0.5,0,0\nMARKER/21\nJOINT/1,REVOLUTE,I=21,J=10\nREQUEST/1,F2=AZ(21,10)\nEND\n";
+
+size_t countLines(const std::string& text) {
+    return size_t(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST_F(Tool, CommandFilesRunAndWriteOneSetOfFiles) {
+    write("model.adm", Pendulum);
+    const std::string commands = write("model.acf",
+                                       "model\nresults\nSIMULATE/DYNAMICS, END=0.2, STEPS=2\n"
+                                       "SIMULATE/DYNAMICS, DURATION=0.2, DTOUT=0.1\nSTOP\n");
+    const Outcome outcome = run("run " + commands + " --out " + (m_folder / "o").string());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("SIMULATE/DYNAMICS from 0.2 to 0.4"), std::string::npos) << outcome.out;
+    EXPECT_EQ(countLines(readFile(m_folder / "o" / "requests.csv")), 1u + 5u);
+}
+
+TEST_F(Tool, AFailingCommandIsNamedByItsLine) {
+    write("model.adm", Pendulum);
+    const std::string commands = write(
+        "model.acf", "model\n\nSIMULATE/DYNAMICS, END=0.2, STEPS=2\nSIMULATE/KINEMATICS, END=1, STEPS=2\n");
+    const std::string out = (m_folder / "o").string();
+    const Outcome outcome = run("run " + commands + " --quiet --out " + out);
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("model.acf:4:1: error: kinematics: needs a mechanism without freedoms"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(countLines(readFile(m_folder / "o" / "requests.csv")), 1u + 3u) << "what was simulated is kept";
+}
+
+TEST_F(Tool, CommandFilesWithErrorsExitWith3) {
+    const std::string bad = write("bad.acf", "model\n\nSIMULATE/DYNAMICS\n");
+    EXPECT_EQ(run("run " + bad).exitCode, 3);
+    const Outcome missing = run("run " + write("lost.acf", "nowhere\n\nSIMULATE/STATICS\n"));
+    EXPECT_EQ(missing.exitCode, 3);
+    EXPECT_NE(missing.err.find("nowhere.adm: error: cannot read the file"), std::string::npos) << missing.err;
+}
+
+TEST_F(Tool, OptionsThatACommandFileDecidesAreWrongUsage) {
+    const std::string commands = write("model.acf", "model\n\nSIMULATE/STATICS\n");
+    for (const char* option : {"--end 1", "--statics", "--start equilibrium"}) {
+        const Outcome outcome = run("run " + commands + " " + option);
+        EXPECT_EQ(outcome.exitCode, 2) << option;
+        EXPECT_NE(outcome.err.find("a command file says itself what to simulate"), std::string::npos);
+    }
+    const Outcome without = run("run " + write("model.adm", Pendulum));
+    EXPECT_EQ(without.exitCode, 2);
+    EXPECT_NE(without.err.find("--end is required"), std::string::npos);
+}
+
+TEST_F(Tool, StaticsAndStartFromEquilibrium) {
+    const std::string model = write("model.adm", Pendulum), out = (m_folder / "o").string();
+    EXPECT_EQ(run("run " + model + " --statics --out " + out).exitCode, 0);
+    const std::string rows = readFile(m_folder / "o" / "requests.csv");
+    EXPECT_EQ(countLines(rows), 2u);
+    constexpr double Hanging = -1.5707963267948966, Exact = 1e-8;
+    EXPECT_NEAR(std::stod(rows.substr(rows.rfind(',') + 1)), Hanging, Exact);
+
+    EXPECT_EQ(run("run " + model + " --end 1 --steps 3 --start equilibrium --out " + out).exitCode, 0);
+    const std::string moved = readFile(m_folder / "o" / "requests.csv");
+    EXPECT_NEAR(std::stod(moved.substr(moved.rfind(',') + 1)), Hanging, Exact);
+
+    const Outcome falling = run("run " +
+                                write("fall.adm",
+                                      "fall\nACCGRAV/JGRAV=-9.81\nPART/1,GROUND\n"
+                                      "PART/2,MASS=1,CM=2,IP=1,1,1\nMARKER/2\nEND\n") +
+                                " --statics");
+    EXPECT_EQ(falling.exitCode, 1);
+    EXPECT_NE(falling.err.find("equilibrium: none was found from here; PART/2 still moves"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace jprim::testing
