@@ -66,7 +66,11 @@ ScaledEquations::ScaledEquations(const SimbodyMatterSubsystem& matter,
     const RowSizes rows = measureRows(G, measureMobilities(matter, state));
     const VectorXd sizes = (rows.shift.array() > 0).select(calcLength(rows) * rows.shift, rows.turn);
     m_rowScale = sizes.unaryExpr(invert);
-    m_columnScale = (m_rowScale.asDiagonal() * G).colwise().norm().transpose().unaryExpr(invert);
+    // A column of nothing but rounding errors must not be made as long as the others.
+    constexpr double Rounding = 1e-12;
+    const VectorXd columns = (m_rowScale.asDiagonal() * G).colwise().norm().transpose();
+    const double noise = columns.size() > 0 ? Rounding * columns.maxCoeff() : 0;
+    m_columnScale = columns.unaryExpr([noise](double size) { return size > noise ? 1 / size : 1; });
 }
 
 void ScaledEquations::realize(const State& state) const {

@@ -66,6 +66,15 @@ std::vector<SimTK::Constraint> Mechanism::getConstraints(const std::string& elem
     throw Error(element, "does not exist in this mechanism");
 }
 
+ElementNames Mechanism::getElementNames() const {
+    std::vector<Joint> joints;
+    for (const Connection& connection : m_connections) joints.push_back(connection.joint);
+    ElementNames names = nameElements(joints);
+    for (const Equation& equation : m_equations)
+        names[equation.constraint.getConstraintIndex()] = {equation.name, {"its equation"}};
+    return names;
+}
+
 // Within each level Simbody numbers the equations in the order in which constraints were added.
 std::vector<Mechanism::EquationName> Mechanism::findEquations(const State& state) const {
     std::array<std::vector<EquationName>, 3> levels;

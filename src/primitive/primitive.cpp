@@ -63,12 +63,12 @@ Marker Primitive::getDefaultMarkerJ() const {
 }
 
 Primitive& Primitive::setDefaultMarkerI(const Transform& X) {
-    updImpl().setDefaultPlacements({X, getImpl().getDefaultPlacements().J});
+    updImpl().setDefaultPlacements({X, getImpl().getDefaultPlacements().J, {}});
     return *this;
 }
 
 Primitive& Primitive::setDefaultMarkerJ(const Transform& X) {
-    updImpl().setDefaultPlacements({getImpl().getDefaultPlacements().I, X});
+    updImpl().setDefaultPlacements({getImpl().getDefaultPlacements().I, X, {}});
     return *this;
 }
 
@@ -86,6 +86,31 @@ void Primitive::setMarkerI(State& state, const Transform& X) const {
 
 void Primitive::setMarkerJ(State& state, const Transform& X) const {
     getImpl().updPlacements(state).J = X;
+}
+
+//---------------------------------------------------------------------------------- single equations
+void Primitive::dropEquation(State& state, int k) const {
+    describeEquation(k);  // throws if there is none
+    getImpl().updPlacements(state).isDropped[size_t(k)] = true;
+}
+
+void Primitive::restoreEquation(State& state, int k) const {
+    describeEquation(k);
+    getImpl().updPlacements(state).isDropped[size_t(k)] = false;
+}
+
+bool Primitive::isEquationDropped(const State& state, int k) const {
+    describeEquation(k);
+    return getImpl().getPlacements(state).isDropped[size_t(k)];
+}
+
+Real Primitive::calcEquationError(const State& state, int k) const {
+    describeEquation(k);
+    const MarkerPair pair(getMarkerI(state).findPoseInGround(state),
+                          getMarkerJ(state).findPoseInGround(state));
+    PrimitiveImpl::Errors errors(0);
+    getImpl().calcErrors(pair, errors);
+    return errors[k];
 }
 
 //-------------------------------------------------------------------------------------- reactions

@@ -145,6 +145,8 @@ void PrimitiveImpl::calcPositionCache(const State& state, PositionCache& cache) 
     const MarkerPair pair(X_AI, X_AJ);
 
     calcDirections(pair, cache.directions);
+    for (size_t k = 0; k < MaxEquations; ++k)
+        if (placements.isDropped[k]) cache.directions[k] = SpatialVec(Vec3(0), Vec3(0));
     std::fill(cache.modalRows.begin(), cache.modalRows.end(), 0);
     Real* modal = cache.modalRows.data();
     for (int k = 0; k < m_numEquations; ++k) {
@@ -178,7 +180,9 @@ PrimitiveImpl::Errors PrimitiveImpl::calcBodyBias(const State& state) const {
     calcBias(pair, pair.calcVelocity(V_AI, V_AJ), bias);
     const Directions& d = getPositionCache(state).directions;
     for (int k = 0; k < m_numEquations; ++k)
-        bias[k] += SimTK::dot(d[k][0], A_J[0]) + SimTK::dot(d[k][1], A_J[1]);
+        bias[k] = placements.isDropped[size_t(k)]
+                      ? 0
+                      : bias[k] + SimTK::dot(d[k][0], A_J[0]) + SimTK::dot(d[k][1], A_J[1]);
     return bias;
 }
 
@@ -213,7 +217,7 @@ void PrimitiveImpl::calcPositionErrors(const State& state,
     calcErrors(MarkerPair(m_I.calcPose(X_AB[m_I.body], placements.I, m_I.findEta(constrainedQ)),
                           m_J.calcPose(X_AB[m_J.body], placements.J, m_J.findEta(constrainedQ))),
                e);
-    for (int k = 0; k < m_numEquations; ++k) perr[k] = e[k];
+    for (int k = 0; k < m_numEquations; ++k) perr[k] = placements.isDropped[size_t(k)] ? 0 : e[k];
 }
 
 void PrimitiveImpl::calcPositionDotErrors(const State& state,
@@ -263,34 +267,10 @@ SpatialVec PrimitiveImpl::calcLoadOnI(const State& state, const MarkerPair& pair
     Directions d;
     calcDirections(pair, d);
     SpatialVec load(Vec3(0), Vec3(0));
-    for (int k = 0; k < m_numEquations; ++k) load -= lambda[k] * d[k];
-    return load;
-}
-
-// Both triads, and through I's origin each constrained direction: red for a force, magenta for a torque.
-void PrimitiveImpl::calcDecorativeGeometryAndAppend(const State& state, Stage stage,
-                                                    Array_<SimTK::DecorativeGeometry>& geometry) const {
-    if (stage != Stage::Position) return;
-    constexpr Real TriadSize = 0.1, DirectionSize = 0.15;
     const Placements& placements = getPlacements(state);
-    const Transform X_GI = getMarkerI(placements.I).findPoseInGround(state);
-    const Transform X_GJ = getMarkerJ(placements.J).findPoseInGround(state);
-    for (const auto& [X_GM, colour] : {std::pair(X_GI, SimTK::Orange), std::pair(X_GJ, SimTK::Blue)})
-        geometry.push_back(SimTK::DecorativeFrame(TriadSize).setTransform(X_GM).setColor(colour));
-
-    const MarkerPair pair(X_GI, X_GJ);
-    Directions d;
-    calcDirections(pair, d);
-    for (int k = 0; k < m_numEquations; ++k) {
-        const SpatialVec load = pair.calcLoadOnI(d[k]);
-        const bool isForce = load[1].normSqr() > 0;
-        const Vec3 direction = isForce ? load[1] : load[0];
-        if (direction.normSqr() == 0) continue;
-        const Vec3 half = DirectionSize * direction.normalize();
-        geometry.push_back(SimTK::DecorativeLine(X_GI.p() - half, X_GI.p() + half)
-                               .setColor(isForce ? SimTK::Red : SimTK::Magenta)
-                               .setLineThickness(3));
-    }
+    for (int k = 0; k < m_numEquations; ++k)
+        if (!placements.isDropped[size_t(k)]) load -= lambda[k] * d[k];
+    return load;
 }
 
 }  // namespace jprim

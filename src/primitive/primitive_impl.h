@@ -36,10 +36,12 @@ public:
     /// True if equations are lengths and loads are forces, false if they are angles and torques.
     bool isTranslational() const { return m_isTranslational; }
 
-    /// The markers' poses on what carries them: X_BM of a rigid marker, X_NM of a flexible one.
+    /// What a State can change: the markers' poses on what carries them, X_BM of a rigid marker and X_NM of a
+    /// flexible one, and equations switched off.
     struct Placements {
         SimTK::Transform I;
         SimTK::Transform J;
+        std::array<bool, MaxEquations> isDropped{};  ///< equations that hold nothing
     };
 
     const char* getAdamsType() const { return m_adamsType; }
@@ -48,7 +50,7 @@ public:
     const char* describeEquation(int k) const { return m_words.at(size_t(k)); }
     /// The name if there is one, and the type: what messages call this element.
     std::string getDescription() const;
-    Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose()}; }
+    Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose(), {}}; }
     void setDefaultPlacements(const Placements& placements);
     const Placements& getPlacements(const SimTK::State& state) const;
     Placements& updPlacements(SimTK::State& state) const;

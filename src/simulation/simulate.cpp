@@ -7,10 +7,13 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/error.h"
+#include "simulation/failure.h"
 #include "simulation/recorder.h"
+#include "simulation/redundancy.h"
 #include "simulation/stepper.h"
 
 namespace jprim {
@@ -51,6 +54,7 @@ public:
             m_summary.energyAtStart = energy;
             m_least = m_most = kinetic;
             m_smallestScale = calcSmallestScale(state);
+            m_lastEnergy = energy;
         }
         m_first = false;
         m_least = std::min(m_least, kinetic);
@@ -59,6 +63,7 @@ public:
         m_summary.energyAtEnd = energy;
         m_summary.largestEnergyChange =
             std::max(m_summary.largestEnergyChange, std::abs(energy - m_summary.energyAtStart));
+        noteJump(state, energy);
     }
 
 private:
@@ -71,30 +76,27 @@ private:
         return HardlyMoving * work;
     }
 
+    // Where a conservative mechanism changes its energy most, and whether equations nearly depend on each other
+    // there.
+    void noteJump(const State& state, Real energy) {
+        constexpr Real WorthALook = 1e-4, NearSingular = 0.05;
+        const Real jump = std::abs(energy - m_lastEnergy);
+        m_lastEnergy = energy;
+        if (jump <= m_largestJump || jump < WorthALook * m_summary.energyScale ||
+            !m_mechanism.isConservative())
+            return;
+        m_largestJump = jump;
+        m_summary.energyJumpTime = state.getTime() / m_mechanism.getUnits().time;
+        const ConstraintCount count = countFreedoms(m_mechanism.getMatter(), state);
+        m_summary.jumpedAtSingular = count.rank > 0 && count.smallestKept < NearSingular;
+    }
+
     const Mechanism& m_mechanism;
     SimulationSummary& m_summary;
     bool m_first = true;
+    Real m_lastEnergy = 0, m_largestJump = 0;
     Real m_least = 0, m_most = 0, m_smallestScale = 0;
 };
-
-// Simbody solves for the multipliers by least squares and leaves out what it takes for dependent. Redundant
-// equations are met all the same; where masses differ too much, equations of the heavy ones are lost.
-void checkAccelerations(const Mechanism& mechanism, const State& state) {
-    constexpr Real Lost = 1e-4;
-    // What is there to be lost: accelerations, gravity, and the centripetal ones of a steady turn.
-    const auto findLargest = [](const SimTK::Vector& v) { return v.size() > 0 ? v.normInf() : 0; };
-    const Real accelerations = findLargest(state.getUDot()) + mechanism.getGravity().norm() +
-                               SimTK::square(findLargest(state.getU()));
-    if (!std::isfinite(accelerations)) throw std::runtime_error("accelerations are not finite");
-    const SimTK::Vector& errors = state.getUDotErr();
-    if (findLargest(errors) <= Lost * accelerations) return;
-    int first = 0;
-    while (std::abs(errors[first]) <= Lost * accelerations) ++first;
-    throw std::runtime_error(
-        fmt::format("the accelerations violate {}: it conflicts with other constraints, or masses and "
-                    "inertias are too different to solve for",
-                    mechanism.findEquations(state).at(size_t(first)).element));
-}
 
 bool fires(const MechanismSensor& sensor, const State& state) {
     const double f = sensor.function.calcValue(state);
@@ -110,21 +112,6 @@ const MechanismSensor* findFiringSensor(const Mechanism& mechanism, const State&
     for (const MechanismSensor& sensor : mechanism.getSensors())
         if (fires(sensor, state)) return &sensor;
     return nullptr;
-}
-
-// Simbody's messages run over several lines.
-std::string joinLines(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
-}
-
-std::string describeFailure(const Mechanism& mechanism, const State& state, const std::string& reason) {
-    const double time = state.getTime() / mechanism.getUnits().time;
-    std::string element;
-    if (state.getSystemStage() >= Stage::Position) element = calcViolation(mechanism, state).element;
-    return fmt::format("at time {:.6g}: the simulation cannot go on{}: {}", time,
-                       element.empty() ? "" : fmt::format("; the largest constraint error is at {}", element),
-                       joinLines(reason));
 }
 
 bool isHolonomic(const Mechanism& mechanism, const State& state) {
@@ -156,7 +143,9 @@ public:
         const double second = m_mechanism.getUnits().time, start = initial.getTime() / second;
         checkOptions(m_options, start);
         const auto started = std::chrono::steady_clock::now();
-        makeStepper(initial);
+        State prepared = initial;
+        prepare(prepared);
+        makeStepper(prepared);
         try {
             for (int k = 0; k <= m_options.steps && !m_firing; ++k) {
                 const double fraction = k == 0 ? 0 : double(k) / m_options.steps;
@@ -177,6 +166,14 @@ public:
     }
 
 private:
+    void prepare(State& state) {
+        m_mechanism.getSystem().realize(state, Stage::Velocity);
+        if (m_options.redundancy != Redundancy::Drop) return;
+        m_dropped.emplace(m_mechanism, state);
+        m_outcome.summary.droppedEquations = m_dropped->getTexts();
+        m_mechanism.getSystem().realize(state, Stage::Velocity);
+    }
+
     void makeStepper(const State& initial) {
         SimulationSummary& summary = m_outcome.summary;
         const ConstraintCount count = countFreedoms(m_mechanism.getMatter(), initial);
@@ -208,13 +205,25 @@ private:
     void record() {
         const State& state = m_stepper->getState();
         m_mechanism.getSystem().realize(state, Stage::Acceleration);
+        checkPositions(state);
         checkAccelerations(m_mechanism, state);
         m_recorder.record(state);
         m_monitor.observe(state);
     }
 
+    // Integrators hold errors to their tolerance; a larger one is a conflict or an axis that has flipped.
+    void checkPositions(const State& state) const {
+        constexpr Real Least = 1e-6, Margin = 1000;
+        const Real tolerance = std::max(Least, Margin * m_options.accuracy / 10);
+        if (m_dropped) m_dropped->check(state, tolerance);
+        const Violation violation = calcViolation(m_mechanism, state);
+        if (std::max(violation.length, violation.angle) > tolerance)
+            throw std::runtime_error("a constraint is violated");
+    }
+
     const Mechanism& m_mechanism;
     const SimulationOptions& m_options;
+    std::optional<DroppedEquations> m_dropped;
     SimulationOutcome m_outcome;
     Recorder m_recorder;
     Monitor m_monitor;

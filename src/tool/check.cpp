@@ -8,15 +8,6 @@ using SimTK::State;
 
 namespace {
 
-ElementNames nameElements(const Mechanism& mechanism) {
-    std::vector<Joint> joints;
-    for (const Connection& connection : mechanism.getConnections()) joints.push_back(connection.joint);
-    ElementNames names = jprim::nameElements(joints);
-    for (const Equation& equation : mechanism.getEquations())
-        names[equation.constraint.getConstraintIndex()] = {equation.name, {"its equation"}};
-    return names;
-}
-
 void countElements(CheckReport& report) {
     for (const Connection& connection : report.model.mechanism->getConnections()) {
         const std::string kind = connection.name.substr(0, connection.name.find('/'));
@@ -33,7 +24,7 @@ State getGivenState(const Mechanism& mechanism) {
 }
 
 AssemblyFailure diagnoseFailure(const Mechanism& mechanism, const State& given, const std::string& message) {
-    const ElementNames names = nameElements(mechanism);
+    const ElementNames names = mechanism.getElementNames();
     AssemblyFailure failure{message, findConflicts(mechanism.getMatter(), given, names), {}, {}};
     const State& nearest = failure.conflicts.state;
     mechanism.getSystem().realize(nearest, Stage::Position);
@@ -51,7 +42,7 @@ void diagnose(CheckReport& report) {
     try {
         report.assembled = assemble(mechanism);
         report.constraints =
-            analyzeConstraints(mechanism.getMatter(), report.assembled->state, nameElements(mechanism));
+            analyzeConstraints(mechanism.getMatter(), report.assembled->state, mechanism.getElementNames());
     } catch (const std::exception& error) {
         report.failure = diagnoseFailure(mechanism, given, error.what());
         report.constraints.numMobilities = given.getNU();

@@ -18,8 +18,9 @@ enum ExitCode { Done = 0, SimulationFailed = 1, WrongUsage = 2, DatasetHasErrors
 struct RunArguments {
     std::string model;  ///< dataset (.adm) or command file (.acf)
     bool statics = false;
-    std::string start = "given";  ///< or "equilibrium"
-    double end = 0;               ///< 0 if not given
+    std::string start = "given";      ///< or "equilibrium"
+    std::string redundant = "share";  ///< or "drop"
+    double end = 0;                   ///< 0 if not given
     int steps = 0;
     double dtout = 0;
     double accuracy = 1e-6;

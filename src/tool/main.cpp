@@ -49,6 +49,11 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
     command.add_option("--dtout", arguments.dtout, "Length of an output step, in the dataset's unit")
         ->check(PositiveTime)
         ->excludes(steps);
+    command
+        .add_option("--redundant", arguments.redundant,
+                    "Redundant equations: share their load with the others, or drop them as Adams does")
+        ->check(CLI::IsMember({"share", "drop"}))
+        ->capture_default_str();
     command.add_option("--accuracy", arguments.accuracy, "Relative accuracy of the integration")
         ->check(Accuracy)
         ->capture_default_str();

@@ -19,6 +19,8 @@ void printSummary(const Model& model, const SimulationSummary& s) {
     const double energy = units.getEnergy();
     fmt::print("degrees of freedom       {}\n", s.degreesOfFreedom);
     if (s.redundantEquations > 0) fmt::print("redundant equations      {}\n", s.redundantEquations);
+    for (const std::string& equation : s.droppedEquations)
+        fmt::print("dropped                  {}\n", equation);
     fmt::print("worst constraint error   {:.3g} {}, {:.3g} rad{}\n", s.worstViolation.length / units.length,
                getLengthName(model.dataset), s.worstViolation.angle,
                s.worstViolation.element.empty() ? "" : fmt::format(" (at {})", s.worstViolation.element));
@@ -50,14 +52,19 @@ void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism
     if (summary.largestEnergyChange <= Tolerable * summary.energyScale) return;
     const std::string message = fmt::format(
         "the energy of this conservative mechanism changed by {:.2g} of the range of its kinetic energy; "
-        "do not trust the results, and try a smaller --accuracy",
-        summary.largestEnergyChange / summary.energyScale);
+        "do not trust the results{}, and try a smaller --accuracy",
+        summary.largestEnergyChange / summary.energyScale,
+        summary.jumpedAtSingular
+            ? fmt::format(" from about t={:.6g} on, where the mechanism passes a singular position",
+                          summary.energyJumpTime)
+            : "");
     fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
 }
 
 SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
     SimulationOptions options;
     options.kind = arguments.statics ? SimulationKind::Statics : SimulationKind::Automatic;
+    if (arguments.redundant == "drop") options.redundancy = Redundancy::Drop;
     options.end = arguments.end;
     options.accuracy = arguments.accuracy;
     options.integrator = arguments.integrator;

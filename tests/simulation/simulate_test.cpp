@@ -137,9 +137,9 @@ TEST(Simulate, FailureNamesTheTimeAndKeepsTheResultsSoFar) {
         if (fraction > 0.45) throw std::runtime_error("stopped\nhere");
     };
     const SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
-    EXPECT_EQ(outcome.failure.find(
-                  "at time 500: the simulation cannot go on; the largest constraint error is at J"),
-              0u)
+    EXPECT_EQ(
+        outcome.failure.find("at time 500: the simulation cannot go on; the largest constraint error is "),
+        0u)
         << outcome.failure;
     EXPECT_EQ(outcome.failure.substr(outcome.failure.size() - 14), ": stopped here");
     EXPECT_EQ(outcome.results.parts.getNumRows(), 6u);

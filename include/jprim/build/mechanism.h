@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "jprim/analysis/constraint_equations.h"
 #include "jprim/base/units.h"
 #include "jprim/dataset/dataset.h"
 #include "jprim/flexible/flexible_body.h"
@@ -153,6 +154,9 @@ public:
     /// The elements that can be switched off and on, "JPRIM/3", and the constraints that each is made of.
     std::vector<std::string> getSwitchableElements() const;
     std::vector<SimTK::Constraint> getConstraints(const std::string& element) const;
+
+    /// What the constraints are called in a diagnosis: "JOINT/3 REVOLUTE" and what each equation holds.
+    ElementNames getElementNames() const;
 
     /// One constraint equation, as Simbody numbers them: those of positions first (getQErr()), then those of
     /// velocities, then those of accelerations. Requires Stage::Model.

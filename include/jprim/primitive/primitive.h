@@ -56,6 +56,18 @@ public:
     void setMarkerJ(SimTK::State& state, const SimTK::Transform& X) const;
     ///@}
 
+    /// @name Single equations
+    /// An equation k = 0, 1 … that follows from other constraints can be dropped in a State: it then holds
+    /// nothing and carries no load. Dropping and restoring need Stage::Topology and change Stage::Position.
+    /// All throw Error if there is no such equation.
+    ///@{
+    void dropEquation(SimTK::State& state, int k) const;
+    void restoreEquation(SimTK::State& state, int k) const;
+    bool isEquationDropped(const SimTK::State& state, int k) const;
+    /// The error e_k [length or rad], also of a dropped equation. Requires Stage::Position.
+    SimTK::Real calcEquationError(const SimTK::State& state, int k) const;
+    ///@}
+
     /// @name Reactions
     ///@{
     /// On I, at I's origin.

@@ -15,7 +15,12 @@ namespace jprim {
 /// positions, else dynamics. Statics: an equilibrium at each output time.
 enum class SimulationKind { Automatic, Dynamics, Kinematics, Statics };
 
+/// What becomes of equations that follow from others. Share: they stay, and Simbody's least-norm multipliers
+/// spread the load over all of them. Drop: as in Adams the later ones are switched off and carry nothing.
+enum class Redundancy { Share, Drop };
+
 struct SimulationOptions {
+    Redundancy redundancy = Redundancy::Share;
     SimulationKind kind = SimulationKind::Automatic;
     double end = 0;  ///< end time, in the dataset's unit; it starts at the time of the initial state
     /// Output steps of equal length; steps + 1 rows are recorded. With 0 steps only the initial state is.
@@ -33,19 +38,22 @@ std::vector<std::string> getIntegratorNames();
 
 /// How a simulation went, in the mechanism's units.
 struct SimulationSummary {
-    int degreesOfFreedom = 0;    ///< at the start
-    int redundantEquations = 0;  ///< at the start
-    Violation worstViolation;    ///< over all recorded times
+    int degreesOfFreedom = 0;                   ///< at the start
+    int redundantEquations = 0;                 ///< at the start
+    std::vector<std::string> droppedEquations;  ///< in words, with Redundancy::Drop
+    Violation worstViolation;                   ///< over all recorded times
     double energyAtStart = 0;
     double energyAtEnd = 0;
     double largestEnergyChange = 0;  ///< over all recorded times, from the start
     /// What the change is held against: largest less smallest kinetic energy, or where hardly anything moves
     /// 1e-9 of the work of the parts' weights over their sizes.
     double energyScale = 0;
-    bool isKinematic = false;  ///< nothing was integrated: positions followed from the constraints
-    int stepsTaken = 0;        ///< of the integrator or the kinematic solution
-    std::string endedBy;       ///< the sensor that ended it before its time: "SENSOR/3"; empty if none
-    bool isHalted = false;     ///< and that sensor has HALT
+    double energyJumpTime = 0;      ///< of the output step over which the energy changed most
+    bool jumpedAtSingular = false;  ///< and there the mechanism was near a singular position
+    bool isKinematic = false;       ///< nothing was integrated: positions followed from the constraints
+    int stepsTaken = 0;             ///< of the integrator or the kinematic solution
+    std::string endedBy;            ///< the sensor that ended it before its time: "SENSOR/3"; empty if none
+    bool isHalted = false;          ///< and that sensor has HALT
     double wallSeconds = 0;
 };
 

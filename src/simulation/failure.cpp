@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/failure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "jprim/analysis/conflicts.h"
+#include "jprim/analysis/constraint_report.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::Stage;
+using SimTK::State;
+
+void checkAccelerations(const Mechanism& mechanism, const State& state) {
+    constexpr Real Lost = 1e-4;
+    // What is there to be lost: accelerations, gravity, and the centripetal ones of a steady turn.
+    const auto findLargest = [](const SimTK::Vector& v) { return v.size() > 0 ? v.normInf() : 0; };
+    const Real accelerations = findLargest(state.getUDot()) + mechanism.getGravity().norm() +
+                               SimTK::square(findLargest(state.getU()));
+    if (!std::isfinite(accelerations)) throw std::runtime_error("accelerations are not finite");
+    const SimTK::Vector& errors = state.getUDotErr();
+    if (findLargest(errors) <= Lost * accelerations) return;
+    int first = 0;
+    while (std::abs(errors[first]) <= Lost * accelerations) ++first;
+    throw std::runtime_error(
+        fmt::format("the accelerations violate {}: it conflicts with other constraints, or masses and "
+                    "inertias are too different to solve for",
+                    mechanism.findEquations(state).at(size_t(first)).element));
+}
+
+namespace {
+
+// Simbody's messages run over several lines.
+std::string joinLines(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+// The equation with the largest error, in words, with the error.
+std::string describeLargestError(const Mechanism& mechanism, const State& state) {
+    std::string text;
+    Real largest = 0;
+    for (const ConstraintEquation& equation :
+         findEquations(mechanism.getMatter(), state, mechanism.getElementNames())) {
+        if (equation.level != EquationLevel::Holonomic) continue;
+        const Real error = std::abs(state.getQErr()[equation.multiplier]);
+        if (error <= largest) continue;
+        largest = error;
+        text = fmt::format("; the largest constraint error is {:.3g} {} at {}",
+                           equation.isLength ? error / mechanism.getUnits().length : error,
+                           equation.isLength ? "length units" : "rad", equation.getText());
+    }
+    return text;
+}
+
+// Equations that time is about to set against each other. The State that a simulation failed at satisfies them
+// still.
+std::string describeConflict(const Mechanism& mechanism, const State& state) {
+    constexpr Real Moment = 0.01;
+    State later = state;
+    later.updTime() += Moment * std::max(1., std::abs(state.getTime()));
+    mechanism.getSystem().realize(later, Stage::Position);
+    const ConflictReport report = findConflicts(mechanism.getMatter(), later, mechanism.getElementNames());
+    std::string names;
+    for (const Conflict& conflict : report.conflicts)
+        for (const int equation : conflict.equations)
+            names += (names.empty() ? "" : ", ") + report.equations[size_t(equation)].getText();
+    return names.empty() ? "" : "; a moment later these cannot be met together: " + names;
+}
+
+// Empty unless equations depend on each other here that do not nearby.
+std::string describeSingularity(const Mechanism& mechanism, const State& state) {
+    const ConstraintReport report = analyzeConstraints(mechanism.getMatter(), state);
+    if (!report.isSingularPosition()) return "";
+    return fmt::format("; this is a singular position with {} degrees of freedom, where nearby there are {}",
+                       report.getDegreesOfFreedom(), report.freedomsNearby);
+}
+
+}  // namespace
+
+std::string describeFailure(const Mechanism& mechanism, const State& state, const std::string& reason) {
+    const double time = state.getTime() / mechanism.getUnits().time;
+    std::string where;
+    try {
+        mechanism.getSystem().realize(state, Stage::Position);
+        where = describeLargestError(mechanism, state) + describeSingularity(mechanism, state) +
+                describeConflict(mechanism, state);
+    } catch (const std::exception&) {
+        // Nothing more can be said about a State that cannot be realized.
+    }
+    return fmt::format("at time {:.6g}: the simulation cannot go on{}: {}", time, where, joinLines(reason));
+}
+
+}  // namespace jprim
