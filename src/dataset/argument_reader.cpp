@@ -3,8 +3,8 @@
 // argument_values.cpp.
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "dataset/statement_reader.h"
-#include "dataset/text.h"
 
 namespace jprim {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "dataset/numbers.h"
+#include "base/numbers.h"
+#include "base/text.h"
 #include "dataset/statement_reader.h"
-#include "dataset/text.h"
 
 namespace jprim {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <utility>
 
+#include "base/text.h"
 #include "dataset/command_rules.h"
 #include "dataset/input_file.h"
 #include "dataset/statement_lexer.h"
 #include "dataset/statements.h"
-#include "dataset/text.h"
 
 namespace jprim {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "dataset/input_file.h"
 #include "dataset/read_state.h"
 #include "dataset/statement_lexer.h"
 #include "dataset/statement_reader.h"
 #include "dataset/statements.h"
-#include "dataset/text.h"
 
 namespace jprim {
 namespace {

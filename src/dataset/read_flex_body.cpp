@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "base/numbers.h"
+#include "base/text.h"
 #include "dataset/body_arguments.h"
-#include "dataset/numbers.h"
 #include "dataset/statements.h"
-#include "dataset/text.h"
 
 namespace jprim {
 namespace {

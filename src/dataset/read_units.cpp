@@ -2,8 +2,8 @@
 // UNITS and ACCGRAV: statements that stand once.
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "dataset/statements.h"
-#include "dataset/text.h"
 
 namespace jprim {
 namespace {

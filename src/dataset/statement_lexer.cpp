@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "dataset/text.h"
+#include "base/text.h"
 
 namespace jprim {
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "dataset/numbers.h"
-#include "dataset/text.h"
+#include "base/numbers.h"
+#include "base/text.h"
 
 namespace jprim {
 

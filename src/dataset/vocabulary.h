@@ -2,12 +2,13 @@
 #ifndef JPRIM_SRC_DATASET_VOCABULARY_H_
 #define JPRIM_SRC_DATASET_VOCABULARY_H_
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "dataset/text.h"
+#include "base/spelling.h"
+#include "base/text.h"
 
 /// @file
 /// Looking up words in a closed list. An entry of a list has a `name` in upper case and a `minimum`: how
@@ -46,23 +47,12 @@ WordMatch findWord(const List& list, std::string_view word) {
     return match;
 }
 
-/// How many single letters must be changed, added or left out to turn one word into the other; case does
-/// not matter. Words longer than any in the language are not compared, so the time is bounded.
-std::size_t calcEditDistance(std::string_view a, std::string_view b);
-
 /// "; did you mean NAME?" for the entry nearest to a misspelt word; empty if none is near.
 template <class List>
 std::string suggestWord(const List& list, std::string_view word) {
-    // One slip in a short word, two in a longer one; never so many that nothing of the word is left.
-    std::size_t best = std::min<std::size_t>(word.size(), word.size() < 6 ? 2 : 3);
-    std::string_view name;
-    for (const auto& entry : list) {
-        const std::size_t distance = calcEditDistance(entry.name, word);
-        if (distance >= best) continue;
-        best = distance;
-        name = entry.name;
-    }
-    return name.empty() ? std::string() : "; did you mean " + std::string(name) + "?";
+    std::vector<std::string> names;
+    for (const auto& entry : list) names.emplace_back(entry.name);
+    return suggestNearest(names, word);
 }
 
 }  // namespace jprim

@@ -208,13 +208,6 @@ TEST(DatasetVocabulary, EveryStatementHasItsOwnShortestForm) {
     }
 }
 
-TEST(DatasetVocabulary, EditDistance) {
-    EXPECT_EQ(calcEditDistance("MARKER", "marker"), 0u);
-    EXPECT_EQ(calcEditDistance("MARKER", "MAKER"), 1u);
-    EXPECT_EQ(calcEditDistance("MARKER", "MARKRE"), 2u);
-    EXPECT_EQ(calcEditDistance("", "PART"), 4u);
-}
-
 TEST(DatasetReader, FileThatCannotBeReadIsOneError) {
     Diagnostics diagnostics;
     const Dataset dataset = readDatasetFile(JPRIM_SOURCE_DIR "/QQQ.adm", diagnostics);

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/text.h"
 #include "dataset/reading.h"
-#include "dataset/text.h"
 
 namespace jprim {
 namespace {
