@@ -65,4 +65,8 @@ SpatialVec GeneralConstraint::calcReactionOn(const State& state, int marker, con
     return expressLoadIn(state, calcReactionOn(state, marker), axes);
 }
 
+std::string GeneralConstraint::findProblem(const State& state) const {
+    return getImpl().findProblem(state);
+}
+
 }  // namespace jprim

@@ -99,7 +99,8 @@ GeneralConstraintImpl::PositionCache& GeneralConstraintImpl::updPositionCache(co
 void GeneralConstraintImpl::realizePosition(const State& state) const {
     PositionCache& cache = updPositionCache(state);
     calcPositionCache(state, cache);
-    checkDistances(cache);
+    const std::string problem = findVanished(cache, 1e-9);
+    if (!problem.empty()) throw Error(m_name, problem);
 }
 
 void GeneralConstraintImpl::realizeVelocity(const State& state) const {
@@ -149,18 +150,21 @@ void GeneralConstraintImpl::calcPositionCache(const State& state, PositionCache&
 }
 
 // A distance has no derivative at zero, where it takes three equations to keep it.
-void GeneralConstraintImpl::checkDistances(const PositionCache& cache) const {
-    constexpr Real Zero = 1e-9;
+std::string GeneralConstraintImpl::findVanished(const PositionCache& cache, Real distance) const {
     for (const auto& [i, j] : m_coordinate->distances) {
         const auto origin = [&](int marker) { return marker < 0 ? Vec3(0) : cache.motions[marker].X.p(); };
-        if ((origin(i) - origin(j)).norm() > Zero) continue;
+        if ((origin(i) - origin(j)).norm() > distance) continue;
         const auto id = [&](int marker) { return marker < 0 ? 0 : m_coordinate->markerIds[marker]; };
-        throw Error(
-            m_name,
-            fmt::format("the distance between markers {} and {} has become zero, where a single equation "
-                        "cannot keep it; to hold two points together use JPRIM ATPOINT",
-                        id(i), id(j)));
+        return fmt::format(
+            "the distance between markers {} and {} has become zero, where a single equation "
+            "cannot keep it; to hold two points together use JPRIM ATPOINT",
+            id(i), id(j));
     }
+    return "";
+}
+
+std::string GeneralConstraintImpl::findProblem(const State& state) const {
+    return findVanished(getPositionCache(state), 1e-7);
 }
 
 // q'' where bodies and coordinates have their velocities and no acceleration.

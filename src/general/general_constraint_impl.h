@@ -36,6 +36,7 @@ public:
         m_scale = scale;
     }
     /// [moment, force] in Ground on a marker at its origin.
+    std::string findProblem(const SimTK::State& state) const;
     SimTK::SpatialVec calcLoadOn(const SimTK::State& state, int markerId) const;
 
 private:
@@ -78,7 +79,7 @@ private:
                                            Coordinates<SimTK::ConstrainedUIndex>& uForces) const override;
 
     void addMarkers();
-    void checkDistances(const PositionCache& cache) const;
+    std::string findVanished(const PositionCache& cache, SimTK::Real distance) const;
     PositionCache& updPositionCache(const SimTK::State& state) const;
     const PositionCache& getPositionCache(const SimTK::State& state) const;
     void calcPositionCache(const SimTK::State& state, PositionCache& cache) const;

@@ -8,6 +8,7 @@
 
 #include "jprim/analysis/conflicts.h"
 #include "jprim/analysis/constraint_report.h"
+#include "jprim/base/error.h"
 
 namespace jprim {
 
@@ -38,6 +39,22 @@ namespace {
 std::string joinLines(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
+}
+
+// Simbody's integrators take an element's complaint for a step that was too long, try shorter ones, and give up
+// for that reason; where they stop the elements are asked again. Empty if none complains.
+std::string findComplaint(const Mechanism& mechanism, State state) {
+    try {
+        mechanism.getSystem().realize(state, Stage::Position);
+        for (const Equation& equation : mechanism.getEquations()) {
+            if (equation.constraint.isDisabled(state)) continue;
+            const std::string problem = equation.constraint.findProblem(state);
+            if (!problem.empty()) return equation.name + ": " + problem;
+        }
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
 }
 
 // The equation with the largest error, in words, with the error.
@@ -84,6 +101,9 @@ std::string describeSingularity(const Mechanism& mechanism, const State& state) 
 
 std::string describeFailure(const Mechanism& mechanism, const State& state, const std::string& reason) {
     const double time = state.getTime() / mechanism.getUnits().time;
+    const std::string complaint = findComplaint(mechanism, state);
+    if (!complaint.empty())
+        return fmt::format("at time {:.6g}: the simulation cannot go on: {}", time, complaint);
     std::string where;
     try {
         mechanism.getSystem().realize(state, Stage::Position);

@@ -14,6 +14,7 @@
 #include "simulation/failure.h"
 #include "simulation/recorder.h"
 #include "simulation/redundancy.h"
+#include "simulation/sensor_watch.h"
 #include "simulation/stepper.h"
 
 namespace jprim {
@@ -98,22 +99,6 @@ private:
     Real m_least = 0, m_most = 0, m_smallestScale = 0;
 };
 
-bool fires(const MechanismSensor& sensor, const State& state) {
-    const double f = sensor.function.calcValue(state);
-    switch (sensor.comparison) {
-        case SensorComparison::GreaterOrEqual: return f >= sensor.value - sensor.error;
-        case SensorComparison::LessOrEqual: return f <= sensor.value + sensor.error;
-        case SensorComparison::Equal: break;
-    }
-    return std::abs(f - sensor.value) <= sensor.error;
-}
-
-const MechanismSensor* findFiringSensor(const Mechanism& mechanism, const State& state) {
-    for (const MechanismSensor& sensor : mechanism.getSensors())
-        if (fires(sensor, state)) return &sensor;
-    return nullptr;
-}
-
 bool isHolonomic(const Mechanism& mechanism, const State& state) {
     const auto equations = mechanism.findEquations(state);
     return std::all_of(equations.begin(), equations.end(), [](const auto& e) { return e.isHolonomic; });
@@ -137,7 +122,8 @@ public:
         : m_mechanism(mechanism),
           m_options(options),
           m_recorder(mechanism),
-          m_monitor(mechanism, m_outcome.summary) {}
+          m_monitor(mechanism, m_outcome.summary),
+          m_watch(mechanism, [this](const State& state) { return makeStepperFrom(state); }) {}
 
     SimulationOutcome run(const State& initial) {
         const double second = m_mechanism.getUnits().time, start = initial.getTime() / second;
@@ -159,7 +145,7 @@ public:
         }
         m_outcome.results = std::move(m_recorder.updResults());
         m_outcome.finalState = m_stepper->getState();
-        m_outcome.summary.stepsTaken = m_stepper->getNumSteps();
+        m_outcome.summary.stepsTaken = m_numSteps + (m_firing ? 1 : 0);
         m_outcome.summary.wallSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
         return std::move(m_outcome);
@@ -180,22 +166,22 @@ private:
         summary.degreesOfFreedom = count.getDegreesOfFreedom();
         summary.redundantEquations = count.getNumRedundant();
         summary.isKinematic = isKinematic(m_mechanism, initial, summary.degreesOfFreedom, m_options.kind);
-        if (m_options.kind == SimulationKind::Statics) {
-            m_stepper = makeStatics(m_mechanism, initial);
-            return;
-        }
-        m_stepper = summary.isKinematic
-                        ? makeKinematics(m_mechanism, initial, m_options)
-                        : makeIntegration(m_mechanism, initial, m_options, !m_mechanism.getSensors().empty());
+        m_stepper = makeStepperFrom(initial);
     }
 
-    // A sensor that is true from the start has nothing to end.
+    std::unique_ptr<Stepper> makeStepperFrom(const State& state) const {
+        if (m_options.kind == SimulationKind::Statics) return makeStatics(m_mechanism, state);
+        if (m_outcome.summary.isKinematic) return makeKinematics(m_mechanism, state, m_options);
+        return makeIntegration(m_mechanism, state, m_options, !m_mechanism.getSensors().empty());
+    }
+
     void stepTo(Real time) {
         while (!m_firing && m_stepper->getState().getTime() < time) {
-            m_stepper->step(time);
-            if (m_mechanism.getSensors().empty()) continue;
-            m_mechanism.getSystem().realize(m_stepper->getState(), Stage::Acceleration);
-            m_firing = findFiringSensor(m_mechanism, m_stepper->getState());
+            if (m_mechanism.getSensors().empty())
+                m_stepper->step(time);
+            else
+                m_firing = m_watch.step(m_stepper, time);
+            if (!m_firing) m_numSteps = m_stepper->getNumSteps();
         }
         if (!m_firing) return;
         m_outcome.summary.endedBy = m_firing->name;
@@ -227,7 +213,9 @@ private:
     SimulationOutcome m_outcome;
     Recorder m_recorder;
     Monitor m_monitor;
+    SensorWatch m_watch;
     std::unique_ptr<Stepper> m_stepper;
+    int m_numSteps = 0;  // before the one that a sensor ended
     const MechanismSensor* m_firing = nullptr;
 };
 

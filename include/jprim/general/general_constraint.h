@@ -50,6 +50,10 @@ public:
     SimTK::SpatialVec calcReactionOn(const SimTK::State& state, int marker) const;
     SimTK::SpatialVec calcReactionOn(const SimTK::State& state, int marker, const Marker& axes) const;
 
+    /// What keeps the equation from being met at States near this one, in words; empty if nothing does.
+    /// Requires Stage::Position.
+    std::string findProblem(const SimTK::State& state) const;
+
 private:
     explicit GeneralConstraint(GeneralConstraintImpl* implementation);
     const GeneralConstraintImpl& getImpl() const;
