@@ -57,6 +57,20 @@ int findOther(const std::vector<int>& markers, int i) {
     return markers[0] == i ? markers[1] : markers[0];
 }
 
+// Whether keeping f = 0 may take work: if f depends on time, or is an equation of velocities that rest does not
+// satisfy. In which position does not matter, as long as it is not a special one.
+bool doesWork(const MarkerExpression& f) {
+    if (f.program.getTimeInput() >= 0) return true;
+    if (f.program.getLevel() != InputLevel::Velocity) return false;
+    std::vector<MarkerMotion> atRest;
+    for (size_t k = 0; k < f.markers.size(); ++k)
+        atRest.push_back({Transform(SimTK::Rotation(1.1 + Real(k), SimTK::UnitVec3(1, 2, 3)),
+                                    SimTK::Vec3(1.3, -0.7, 2.1) * (1.9 + Real(k)))});
+    Evaluation evaluation(f.program);
+    f.setInputs(0, atRest.data(), evaluation);
+    return evaluation.calcValue() != 0;
+}
+
 }  // namespace
 
 // A GCON has no J, but one between two markers is reported on both.
@@ -66,10 +80,10 @@ void MechanismBuilder::addGcon(const GconStatement& s) {
         const Expression f = write([&s](FunctionWriter& w) { return w.scalar(s.function); });
         const GeneralConstraint constraint(f, name);
         addEquation(name, constraint, f);
-        const bool usesTime = f.getImplementation().program.getTimeInput() >= 0;
-        m_mechanism.m_hasPower = m_mechanism.m_hasPower || usesTime;
+        m_mechanism.m_hasPower = m_mechanism.m_hasPower || doesWork(f.getImplementation());
         const auto on = [&constraint](int marker) -> LoadFunction {
-            return [constraint, marker](const State& state) { return constraint.calcReactionOn(state, marker); };
+            return
+                [constraint, marker](const State& state) { return constraint.calcReactionOn(state, marker); };
         };
         const int j = findOther(f.getImplementation().markerIds, s.i);
         addLoadElement({name, s.i, j, on(s.i), j == 0 ? LoadFunction() : on(j), true});

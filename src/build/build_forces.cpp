@@ -18,6 +18,7 @@ void MechanismBuilder::addForces() {
     for (const BushingStatement& s : m_dataset.bushings) addBushing(s);
 }
 
+// A floating marker is where I is, wherever its part has it: nothing levers about it.
 void MechanismBuilder::addForce(const std::string& name, int i, int j, const ForceLaw& law) {
     const Marker& I = m_mechanism.getMarker(i);
     std::optional<Marker> J;
@@ -25,7 +26,10 @@ void MechanismBuilder::addForce(const std::string& name, int i, int j, const For
     const MarkerForce force(m_mechanism.m_bodies->forces, I, J, law, name);
     m_mechanism.m_forces.push_back(force);
     LoadFunction onJ;
-    if (J) onJ = [force](const State& state) { return force.calcLoadOnJ(state); };
+    if (m_functions.floatingMarkers.count(j) > 0)
+        onJ = [force](const State& state) { return -force.calcLoadOnI(state); };
+    else if (J)
+        onJ = [force](const State& state) { return force.calcLoadOnJ(state); };
     addLoadElement(
         {name, i, j, [force](const State& state) { return force.calcLoadOnI(state); }, onJ, false});
 }

@@ -77,9 +77,11 @@ void MechanismBuilder::findMarkerPoses() {
         const int owner = marker.flexBody != 0    ? m_flexBodyIndex.at(marker.flexBody)
                           : marker.pointMass != 0 ? m_pointMassIndex.at(marker.pointMass)
                                                   : m_partIndex.at(marker.part);
-        if (marker.floating) m_floatingMarkers.insert(marker.id);
         m_ownerOfMarker[marker.id] = owner;
-        m_markersOfOwner[owner].push_back(marker.id);
+        if (marker.floating)  // it is where it is needed, and says nothing of its part's size
+            m_functions.floatingMarkers.insert(marker.id);
+        else
+            m_markersOfOwner[owner].push_back(marker.id);
         if (!problem.empty())
             report(Severity::Error, marker.where, fmt::format("MARKER/{}: {}", marker.id, problem));
     }
@@ -111,7 +113,7 @@ void MechanismBuilder::addMarkers() {
 // Expressions cannot name floating markers, whose place is decided by what names them.
 const Marker* MechanismBuilder::findFixedMarker(int id) const {
     const auto found = m_mechanism.m_markers.find(id);
-    const bool usable = found != m_mechanism.m_markers.end() && m_floatingMarkers.count(id) == 0;
+    const bool usable = found != m_mechanism.m_markers.end() && m_functions.floatingMarkers.count(id) == 0;
     return usable ? &found->second : nullptr;
 }
 
@@ -159,7 +161,8 @@ void MechanismBuilder::addConnections() {
 }
 
 // A SCREW or RACKPIN keeps the travel and angle that the markers are given with: only what is added to them
-// must go together.
+// must go together. The z axes of a CONVEL, which may point down the two shafts or both the same way, say by
+// their given directions which.
 Joint MechanismBuilder::makeJoint(const JointStatement& s, const std::string& name) const {
     const Marker &I = m_mechanism.getMarker(s.i), &J = m_mechanism.getMarker(s.j);
     const MarkerPair given(getGivenPose(s.i), getGivenPose(s.j));
@@ -173,6 +176,7 @@ Joint MechanismBuilder::makeJoint(const JointStatement& s, const std::string& na
         const double diameter = *s.diameter * length, angle = -std::atan2(R[2][1], R[2][0]);
         return Joint::Rackpin(I, J, diameter, travel - diameter / 2 * angle, name);
     }
+    if (s.type == JointType::Convel) return Joint::Convel(I, J, R[2][2] < 0, name);
     return makeConnection(s.type, I, J, name);
 }
 

@@ -32,6 +32,7 @@ Need getNeed(JointType type) {
         case JointType::Planar: return Need::ZAxesAlike;
         case JointType::Translational:
         case JointType::Fixed: return Need::AllAxesAlike;
+        case JointType::Rackpin:
         case JointType::Universal: return Need::ZAxesCrossed;
         case JointType::Hooke: return Need::BarsCrossed;
         default: return Need::Nothing;
@@ -105,9 +106,8 @@ Joint makeConnection(JointType type, const Marker& I, const Marker& J, const std
         case JointType::Planar: return Joint::Planar(I, J, name);
         case JointType::Fixed: return Joint::Fixed(I, J, name);
         case JointType::Universal: return Joint::Universal(I, J, name);
-        case JointType::Convel: return Joint::Convel(I, J, name);
         case JointType::Hooke:
-        default: break;  // SCREW and RACKPIN need more than their markers
+        default: break;  // CONVEL, SCREW and RACKPIN need more than their markers
     }
     return Joint::Hooke(I, J, name);
 }

@@ -3,7 +3,6 @@
 #define JPRIM_SRC_BUILD_MECHANISM_BUILDER_H_
 
 #include <optional>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -144,7 +143,6 @@ private:
     std::unordered_map<int, std::vector<int>> m_markersOfOwner;
     std::unordered_map<int, const JointStatement*> m_joints;
     SimTK::Real m_lightestMass = 1;
-    std::set<int> m_floatingMarkers;
     FunctionContext m_functions;
     std::unordered_map<int, ModalBasis> m_modes;  // by FLEX_BODY; in SI until it is added
 };

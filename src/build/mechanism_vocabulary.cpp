@@ -61,6 +61,11 @@ std::vector<std::string> MechanismVocabulary::getNames() const {
     return names;
 }
 
+std::string MechanismVocabulary::describeMissing(int id) const {
+    if (m_context.floatingMarkers.count(id) == 0) return MarkerVocabulary::describeMissing(id);
+    return fmt::format("MARKER/{} is FLOATING and cannot be measured; name a fixed marker", id);
+}
+
 // The variable's own mistakes are reported at its statement, so its text is known to be good.
 Operand MechanismVocabulary::makeVariable(ProgramBuilder& builder, const Call& call) {
     const int id = getIds(call, 1, 1)[0];
@@ -118,7 +123,8 @@ Operand MechanismVocabulary::makeElementLoad(const Call& call, const std::string
 
 Operand MechanismVocabulary::makeNetLoad(const Call& call, int component) {
     const std::vector<int> ids = getIds(call, 1, 3);
-    for (size_t k = 0; k < call.arguments.size(); ++k) checkMarker(call, k, ids[k]);
+    for (size_t k = 0; k < call.arguments.size(); ++k)
+        if (k > 1 || m_context.floatingMarkers.count(ids[k]) == 0) checkMarker(call, k, ids[k]);
     std::vector<LoadFunction> loads;
     for (const LoadElement& element : m_context.elements) {
         if (element.i == ids[0] && element.j == ids[1]) loads.push_back(element.onI);

@@ -3,6 +3,7 @@
 #define JPRIM_SRC_BUILD_MECHANISM_VOCABULARY_H_
 
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -20,6 +21,7 @@ struct FunctionContext {
     std::vector<LoadElement> elements;
     std::unordered_map<int, const VariableStatement*> variables;
     std::unordered_map<int, Spline> splines;
+    std::set<int> floatingMarkers;
 };
 
 /// The measures of markers, and
@@ -37,6 +39,9 @@ public:
     std::optional<Operand> call(ProgramBuilder& builder, const Call& call) override;
     const Spline* findSpline(int id) override;
     std::vector<std::string> getNames() const override;
+
+protected:
+    std::string describeMissing(int id) const override;
 
 private:
     Operand makeVariable(ProgramBuilder& builder, const Call& call);

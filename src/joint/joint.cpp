@@ -80,9 +80,11 @@ Joint Joint::Hooke(const Marker& I, const Marker& J, const std::string& name) {
         {AtPoint(I, J, name), Perpendicular(turnZTo(I, SimTK::XAxis), turnZTo(J, SimTK::YAxis), name)});
 }
 
-Joint Joint::Convel(const Marker& I, const Marker& J, const std::string& name) {
-    const Expression equation = composeExpression(I, J, [](MarkerFrames& f) {
-        return f.updBuilder().subtract(f.element(PairI, PairJ, 1, 0), f.element(PairI, PairJ, 0, 1));
+// With R_JI = Rz(a) Rx(b) Rz(c) the difference is (1 + cos b) sin(a + c), the sum (1 - cos b) sin(a - c).
+Joint Joint::Convel(const Marker& I, const Marker& J, bool opposed, const std::string& name) {
+    const Expression equation = composeExpression(I, J, [opposed](MarkerFrames& f) {
+        const Operand a = f.element(PairI, PairJ, 1, 0), b = f.element(PairI, PairJ, 0, 1);
+        return opposed ? f.updBuilder().add(a, b) : f.updBuilder().subtract(a, b);
     });
     return Joint("CONVEL", name, {AtPoint(I, J, name)}, {GeneralConstraint(equation, name)});
 }

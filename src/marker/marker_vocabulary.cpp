@@ -132,8 +132,11 @@ std::vector<int> MarkerVocabulary::getIds(const Call& call, int least, int most)
 }
 
 void MarkerVocabulary::checkMarker(const Call& call, size_t argument, int id) const {
-    if (!m_frames.exists(id))
-        throw ExpressionError(call.arguments[argument].offset, fmt::format("MARKER/{} does not exist", id));
+    if (!m_frames.exists(id)) throw ExpressionError(call.arguments[argument].offset, describeMissing(id));
+}
+
+std::string MarkerVocabulary::describeMissing(int id) const {
+    return fmt::format("MARKER/{} does not exist", id);
 }
 
 std::optional<Operand> MarkerVocabulary::call(ProgramBuilder&, const Call& call) {

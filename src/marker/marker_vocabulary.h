@@ -2,6 +2,7 @@
 #ifndef JPRIM_SRC_MARKER_MARKER_VOCABULARY_H_
 #define JPRIM_SRC_MARKER_MARKER_VOCABULARY_H_
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,8 @@ protected:
     static std::vector<int> getIds(const Call& call, int least, int most);
     /// @throws ExpressionError if the argument is not 0 and names no marker
     void checkMarker(const Call& call, size_t argument, int id) const;
+    /// Why a marker cannot be measured that MarkerFrames does not find.
+    virtual std::string describeMissing(int id) const;
 
 private:
     MarkerFrames& m_frames;

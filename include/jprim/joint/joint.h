@@ -23,7 +23,7 @@ namespace jprim {
 /// | Fixed | ATPOINT + ORIENTATION | none |
 /// | Universal | ATPOINT + PERPENDICULAR | 2 rotations; z_I and z_J are the bars of the cross |
 /// | Hooke | ATPOINT + PERPENDICULAR on turned markers | 2 rotations; x_I and y_J are the bars |
-/// | Convel | ATPOINT + x_I . y_J = y_I . x_J | 2 rotations; turning about z_I turns z_J the other way |
+/// | Convel | ATPOINT + x_I . y_J = y_I . x_J | 2 rotations; the shafts z_I and z_J turn together |
 /// | Screw | DZ(I,J,J) = pitch AZ(I,J) / 2 pi + offset | 5: it keeps nothing else |
 /// | Rackpin | DZ(I,J,J) = diameter/2 angle + offset | 5; I on the pinion, z_J along the rack's travel |
 ///
@@ -43,7 +43,9 @@ public:
     static Joint Universal(const Marker& I, const Marker& J, const std::string& name = "");
     static Joint Hooke(const Marker& I, const Marker& J, const std::string& name = "");
 
-    static Joint Convel(const Marker& I, const Marker& J, const std::string& name = "");
+    /// @param opposed  z_I and z_J point away from each other, as down the two shafts; the equation is then
+    ///                 x_I . y_J = -y_I . x_J, as the other one vanishes where the shafts are in line
+    static Joint Convel(const Marker& I, const Marker& J, bool opposed = false, const std::string& name = "");
     /// @param pitch  length per turn; right-hand if positive
     static Joint Screw(const Marker& I, const Marker& J, SimTK::Real pitch, SimTK::Real offset = 0,
                        const std::string& name = "");
