@@ -208,6 +208,22 @@ TEST_P(AppliedForces, ACubicSplineIsTheStraightLineThatItSamples) {
     EXPECT_GT(exact, 3 * u.m);  // beyond the last point, where it goes on straight
 }
 
+// A family of straight lines y = z x, and a spline's derivatives.
+TEST_P(AppliedForces, AFamilyOfSplinesIsLinearInBoth) {
+    const std::string text =
+        makeBodies(u) + "SPLINE/7,X=0,1,2,4,Y=1,0,1,2,4,Y=3,0,3,6,12\n" +
+        fmt::format(
+            "REQUEST/1,F2=AKISPL(3.3,1+TIME/{0},7)\\F3=CUBSPL(3.3,1+TIME/{0},7)\\F4=CUBSPL(5,2.5,7,1)\\",
+            u.s) +
+        "F6=AKISPL(3,9,7)\\F7=AKISPL(3.3,2,7,2)\n";
+    const Table r = runFor(text, u, 0.7, 1).requests;
+    EXPECT_NEAR(r.getColumn("R1.F2").back(), 1.7 * 3.3, 1e-12);
+    EXPECT_NEAR(r.getColumn("R1.F3").back(), 1.7 * 3.3, 1e-12);
+    EXPECT_NEAR(r.getColumn("R1.F4").back(), 2.5, 1e-12);
+    EXPECT_NEAR(r.getColumn("R1.F6").back(), 9, 1e-12);
+    EXPECT_NEAR(r.getColumn("R1.F7").back(), 0, 1e-12);
+}
+
 // Travel a t^2/2 from a table of time: its derivative, of first order, is the velocity.
 TEST_P(AppliedForces, AMotionFollowsASplineOfTime) {
     std::string x, y;

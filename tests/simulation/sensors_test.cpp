@@ -80,6 +80,16 @@ TEST_P(Sensors, ThatNeverFireChangeNothing) {
     EXPECT_NEAR(with.results.parts.getColumn("PART/2.Z").back() / u.m, 0.3 + 10 - 20, 1e-7);
 }
 
+// What is true from the start ends the run with its first step.
+TEST_P(Sensors, ThatAreTrueFromTheStartFireAtOnce) {
+    const SimulationOutcome outcome =
+        runThrow(u, fmt::format("SENSOR/1,LE,VALUE={},HALT,FUNCTION=DZ(20)", 9 * u.m));
+    EXPECT_EQ(outcome.summary.endedBy, "SENSOR/1");
+    EXPECT_EQ(outcome.summary.stepsTaken, 1);
+    EXPECT_LE(findEnd(u, outcome), 0.5);
+    EXPECT_EQ(outcome.results.parts.getNumRows(), 2u);
+}
+
 // What is followed without integration is watched as well, and whole turns count.
 TEST_P(Sensors, EndKinematicsToo) {
     const std::string text = fmt::format(

@@ -18,18 +18,18 @@ constexpr double Crank = 0.15, Rod = 0.4, Rate = 7;  // m, m, rad/s
 constexpr double CrankInertia = 0.02, RodMass = 0.8, RodInertia = 0.011, SliderMass = 1.7;
 
 // The crank turns about the ground's z axis, the rod's own turn about its length is held by the UNIVERSAL.
-std::string makeSliderCrank(const DatasetUnits& u, double rodMass = RodMass) {
-    const double r = Crank * u.m, l = Rod * u.m, inertia = u.m * u.m;
+std::string makeSliderCrank(const DatasetUnits& u, double rodMass = RodMass, double crank = Crank) {
+    const double r = crank * u.m, l = Rod * u.m, inertia = u.m * u.m;
     return fmt::format(
                "slider-crank\n{0}PART/1,GROUND\nMARKER/10\nMARKER/11,REULER=90D,90D,0D\n"
-               "PART/2,MASS=1,CM=20,IP=0.5,0.5,{1}\nMARKER/20\nMARKER/21,QP={2},0,0\n"
+               "PART/2,MASS=1,CM=20,IP={1},{1},{1}\nMARKER/20\nMARKER/21,QP={2},0,0\n"
                "PART/3,MASS={3},CM=30,IP={4},{5},{5},QG={2},0,0\nMARKER/30,QP={6},0,0\nMARKER/31\n"
                "MARKER/32,QP={7},0,0,REULER=90D,90D,0D\n",
                u.statement, CrankInertia * inertia, r, rodMass, 0.002 * inertia, RodInertia * inertia, l / 2,
                l) +
            fmt::format(
                "PART/4,MASS={},CM=40,IP=1,1,1,QG={},0,0\nMARKER/40\nMARKER/41,REULER=90D,90D,0D\n"
-               "MARKER/42\n"
+               "MARKER/42,REULER=90D,90D,0D\n"
                "JOINT/1,REVOLUTE,I=20,J=10\nJOINT/2,SPHERICAL,I=31,J=21\nJOINT/3,HOOKE,I=32,J=42\n"
                "JOINT/4,TRANSLATIONAL,I=41,J=11\nMOTION/1,JOINT=1,FUNCTION={}*TIME\n"
                "REQUEST/1,F2=DX(40)\\F3=VX(40)\\F4=ACCX(40)\\F6=MOTION(1,0,8)\\F7=JOINT(4,0,3)\\F8=AZ(31)\n"
@@ -114,6 +114,38 @@ TEST_P(SliderCrank, IntegrationAndKinematicsAgree) {
             EXPECT_LE(difference, 1e-6 * size) << kinematic->columns[c];
         }
     }
+}
+
+// Drawn as engineers draw it, with pins only, three equations say the same as others: the motion is as good.
+TEST_P(SliderCrank, RedundantPinsChangeNothing) {
+    std::string text = makeSliderCrank(u);
+    text.replace(text.find("SPHERICAL,I=31,J=21"), 19, "REVOLUTE,I=31,J=21");
+    text.replace(text.find("HOOKE,I=32,J=42"), 15,
+                 "REVOLUTE,I=33,J=40\nMARKER/33,PART=3,QP=" + fmt::format("{},0,0", Rod * u.m));
+    const SimulationOutcome outcome = testing::run(buildOrFail(text), 2 * u.s, 50, 1e-10);
+    EXPECT_TRUE(outcome.summary.isKinematic);
+    EXPECT_EQ(outcome.summary.redundantEquations, 3);
+    const Table& r = outcome.results.requests;
+    const auto travel = [](double t) { return calcTravel(Rate * t); };
+    EXPECT_LE(testing::calcDeviation(r.getColumn("time"), u.s, r.getColumn("R1.F2"), u.m, travel), Tolerance);
+    EXPECT_LE(calcTorqueDeviation(u, r), TorqueTolerance);
+}
+
+// A crank longer than the rod cannot go round: it locks where crank * sin = rod.
+TEST_P(SliderCrank, LocksWhereTheRodIsTooShort) {
+    constexpr double LongCrank = 0.5;
+    const Mechanism mechanism = buildOrFail(makeSliderCrank(u, RodMass, LongCrank));
+    SimulationOptions options;
+    options.end = 0.5 * u.s;
+    options.steps = 100;
+    const SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
+    const double locked = std::asin(Rod / LongCrank) / Rate;
+    EXPECT_NE(
+        outcome.failure.find("the positions at the next time cannot be found; the mechanism may lock there"),
+        std::string::npos)
+        << outcome.failure;
+    EXPECT_NEAR(outcome.finalState.getTime(), locked, 1e-3);
+    EXPECT_LE(outcome.results.parts.getColumn("time").back(), locked * u.s);
 }
 
 TEST(SliderCrankMutated, OnePercentMoreRodIsNoticed) {
