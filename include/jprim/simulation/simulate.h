@@ -67,7 +67,7 @@ struct SimulationOutcome {
 };
 
 /// Moves a mechanism on from assembled initial conditions and records it at equal intervals. Every output time
-/// ends a step: nothing recorded is interpolated. Sensors are looked at after every step of the integrator.
+/// ends a step: nothing recorded is interpolated. A sensor ends the run at the moment it fires.
 /// @throws Error if an option is out of range, or kinematics are asked for and impossible
 SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,
                            const SimulationOptions& options);
