@@ -223,5 +223,22 @@ TEST(GeneralConstraint, ADistanceOfZeroIsRefusedByName) {
         "to hold two points together use JPRIM ATPOINT");
 }
 
+// Close to zero, where the equation can still be evaluated but nobody can step beyond.
+TEST(GeneralConstraint, SaysThatADistanceVanishesNearby) {
+    const auto findProblemAt = [](Real distance) {
+        Free f;
+        GeneralConstraint constraint(Expression("DM(1,2)-0.5", {{1, f.I}, {2, f.J}}), "GCON/7");
+        State state = f.system.realizeTopology();
+        const Transform apart(f.J.getPose().R(), f.J.getPose() * Vec3(distance, 0, 0));
+        f.body.setQToFitTransform(state, apart * ~f.I.getPose());
+        f.system.realize(state, Stage::Position);
+        return constraint.findProblem(state);
+    };
+    EXPECT_EQ(findProblemAt(1e-3), "");
+    EXPECT_EQ(findProblemAt(1e-8),
+              "the distance between markers 1 and 2 has become zero, where a single equation cannot keep it; "
+              "to hold two points together use JPRIM ATPOINT");
+}
+
 }  // namespace
 }  // namespace jprim

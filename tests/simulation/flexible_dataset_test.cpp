@@ -104,6 +104,20 @@ TEST(FlexibleDataset, AssemblesUndeformed) {
     EXPECT_NEAR(assembled.moved[1].distance, 0.1, 1e-6);
 }
 
+// A MOTION bends the beam at its end by d, against 3 E I d/L^3. Adams would not have its marker there.
+TEST(FlexibleDataset, AMotionMayBendABeam) {
+    const Mechanism mechanism = testing::buildOrFail(
+        "bend\nPART/1,GROUND\nMARKER/10\nFLEX_BODY/1,MODES_FILE='" + writeModes() +
+        "',CRATIO=1\nMARKER/20,NODE_ID=1\nMARKER/21,NODE_ID=9,QP=2,0,0\nJOINT/1,FIXED,I=20,J=10\n"
+        "MOTION/1,I=21,J=10,Z,FUNCTION=STEP(TIME,0,0,1,-0.02)\n"
+        "REQUEST/1,F2=DZ(21,10)\\F3=MOTION(1,0,4)\\F4=JOINT(1,0,7)\nEND\n");
+    const Table r = testing::run(mechanism, 20, 4, 1e-6).results.requests;
+    const double EI = 2.1e11 / 200 * 2e-8, force = 3 * EI * 0.02 / 8;
+    EXPECT_NEAR(r.getColumn("R1.F2").back(), -0.02, 1e-6);
+    EXPECT_NEAR(r.getColumn("R1.F3").back(), -force, 5e-3 * force);  // the beam yields to shear as well
+    EXPECT_NEAR(r.getColumn("R1.F4").back(), -2 * force, 5e-3 * 2 * force);
+}
+
 TEST(FlexibleDataset, NamesWhatIsMissing) {
     const auto build = [](const std::string& text) {
         Diagnostics diagnostics;

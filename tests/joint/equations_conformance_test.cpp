@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The equations of SCREW, RACKPIN and MOTIONs: the identities that every constraint must satisfy off its
+// manifold.
+#include <gtest/gtest.h>
+
+#include "jprim/joint/joint.h"
+#include "jprim/joint/motion.h"
+#include "support/conformance.h"
+
+namespace jprim {
+namespace {
+
+using testing::Conformance;
+using testing::Tree;
+
+// Differences of sixth order leave about 1e-11 on smooth functions of order one; angles near the poles of their
+// sequence have large higher derivatives.
+constexpr double DifferenceTolerance = 1e-7;
+constexpr double RoundingTolerance = 1e-12;
+
+using MakeEquation = GeneralConstraint (*)(const Marker& I, const Marker& J);
+
+template <Coordinate Q>
+GeneralConstraint makeMotion(const Marker& I, const Marker& J) {
+    return Motion(I, J, Q, Expression("0.3*SIN(2*TIME)", {}));
+}
+
+struct Case {
+    const char* name;
+    MakeEquation make;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << c.name;
+}
+
+using M = const Marker&;
+const Case Cases[] = {
+    {"Screw", [](M I, M J) { return Joint::Screw(I, J, 0.7, 0.2).getEquations().front(); }},
+    {"Rackpin", [](M I, M J) { return Joint::Rackpin(I, J, -0.3, 0.1).getEquations().front(); }},
+    {"MotionX", makeMotion<Coordinate::X>},
+    {"MotionZ", makeMotion<Coordinate::Z>},
+    {"MotionRotation", makeMotion<Coordinate::Rotation>},
+    {"MotionB1", makeMotion<Coordinate::B1>},
+    {"MotionB2", makeMotion<Coordinate::B2>},
+    {"MotionB3", makeMotion<Coordinate::B3>}};
+
+class EquationConformance : public ::testing::TestWithParam<std::tuple<Case, Tree>> {};
+
+TEST_P(EquationConformance, HoldsOffTheManifold) {
+    const auto& [c, tree] = GetParam();
+    const auto add = [make = c.make](M I, M J) -> SimTK::Constraint { return make(I, J); };
+    for (int seed = 1; seed <= 5; ++seed) {
+        SCOPED_TRACE(seed);
+        const Conformance result = testing::measureConformance(add, tree, seed);
+        EXPECT_LT(result.rateError, DifferenceTolerance);
+        EXPECT_LT(result.accelerationError, DifferenceTolerance);
+        EXPECT_LT(result.powerError, RoundingTolerance);
+        EXPECT_LT(result.netLoad, RoundingTolerance);
+        EXPECT_EQ(result.equations, 1);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Joints, EquationConformance,
+                         ::testing::Combine(::testing::ValuesIn(Cases),
+                                            ::testing::Values(Tree::AncestorMoves, Tree::FlexibleBoth)),
+                         [](const auto& info) {
+                             return std::string(std::get<0>(info.param).name) +
+                                    testing::getName(std::get<1>(info.param));
+                         });
+
+// The suite can fail: DZ with the axes of ground in place of J's has a net moment.
+TEST(EquationConformance, NoticesTheAxesOfTheWrongBody) {
+    const auto add = [](M I, M J) -> SimTK::Constraint {
+        return GeneralConstraint(Expression("DZ(1,2)-0.1*AZ(1,2)", {{1, I}, {2, J}}));
+    };
+    EXPECT_GT(testing::measureConformance(add, Tree::AncestorMoves, 1).netLoad, 1e-2);
+}
+
+}  // namespace
+}  // namespace jprim
