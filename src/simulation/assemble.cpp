@@ -129,6 +129,10 @@ bool tryToAssemble(const Mechanism& mechanism, const Aim& aim, Bodies bodies, St
     return tryToAssemble(mechanism, aim, bodies, Exactness::Wanted, state);
 }
 
+bool isViolated(const Violation& violation) {
+    return std::max(violation.length, violation.angle) > AssemblyTolerance;
+}
+
 void assemblePositions(const Mechanism& mechanism, const Aim& aim, State& state) {
     const State given = state;
     if (tryToAssemble(mechanism, aim, Bodies::Rigid, state)) return;
@@ -137,6 +141,12 @@ void assemblePositions(const Mechanism& mechanism, const Aim& aim, State& state)
         if (tryToAssemble(mechanism, aim, Bodies::Flexible, state)) return;
     }
     const Violation left = calcViolation(mechanism, state);
+    const auto [missed, name] = findCoordinateError(mechanism, state);
+    if (aim.holdGiven && !isViolated(left) && missed > AssemblyTolerance)
+        throw Error(
+            name, fmt::format("its initial value contradicts the constraints or other given coordinates; the "
+                              "nearest that can be assembled misses it by {:.3g} length units or rad",
+                              missed));
     const std::string held = aim.holdGiven ? nameHeld(mechanism) : "";
     throw Error(
         left.element.empty() ? "assembly" : left.element,
@@ -178,10 +188,6 @@ Violation calcViolation(const Mechanism& mechanism, const State& state) {
 
 namespace {
 
-bool isViolated(const Violation& violation) {
-    return std::max(violation.length, violation.angle) > AssemblyTolerance;
-}
-
 void assemblePositions(const Mechanism& mechanism, const Aim& aim, AssembledState& result) {
     const SimTK::MultibodySystem& system = mechanism.getSystem();
     system.realize(result.state, Stage::Position);
@@ -193,10 +199,35 @@ void assemblePositions(const Mechanism& mechanism, const Aim& aim, AssembledStat
     system.realize(result.state, Stage::Position);
 }
 
+// Equations that agree on positions may contradict each other on velocities, as two MOTIONs of one joint. Names the
+// one that is left farthest from being met.
+void checkVelocities(const Mechanism& mechanism, State& state) {
+    constexpr Real Contradiction = 1e-8;
+    mechanism.getSystem().realize(state, Stage::Velocity);
+    const Vector& errors = state.getUErr();
+    Real worst = Contradiction;
+    std::string element;
+    for (int k = 0; k < errors.size(); ++k) {
+        if (std::abs(errors[k]) <= worst) continue;
+        worst = std::abs(errors[k]);
+        element = mechanism.findEquations(state).at(size_t(k)).element;
+    }
+    if (!element.empty())
+        throw Error(element,
+                    fmt::format("no velocities at the start satisfy it together with the other constraints; "
+                                "{:.3g} length units/s or rad/s of it are left",
+                                worst));
+}
+
 void finish(const Mechanism& mechanism, AssembledState& result) {
     const SimTK::MultibodySystem& system = mechanism.getSystem();
     system.realize(result.state, Stage::Velocity);
-    system.project(result.state, ProjectionTolerance);
+    try {
+        system.project(result.state, ProjectionTolerance);
+    } catch (const std::exception&) {
+        checkVelocities(mechanism, result.state);
+        throw;
+    }
     system.realize(result.state, Stage::Velocity);
     result.after = calcViolation(mechanism, result.state);
 }

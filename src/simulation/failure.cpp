@@ -22,7 +22,8 @@ void checkAccelerations(const Mechanism& mechanism, const State& state) {
     const auto findLargest = [](const SimTK::Vector& v) { return v.size() > 0 ? v.normInf() : 0; };
     const Real accelerations = findLargest(state.getUDot()) + mechanism.getGravity().norm() +
                                SimTK::square(findLargest(state.getU()));
-    if (!std::isfinite(accelerations)) throw std::runtime_error("accelerations are not finite");
+    if (!std::isfinite(accelerations + state.getUDot().norm()))
+        throw std::runtime_error("accelerations are not finite");
     const SimTK::Vector& errors = state.getUDotErr();
     if (findLargest(errors) <= Lost * accelerations) return;
     int first = 0;

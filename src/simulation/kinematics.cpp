@@ -42,7 +42,8 @@ public:
             return;
         }
         throw std::runtime_error(
-            "the positions at the next time cannot be found; the mechanism may lock there");
+            "the positions at the next time cannot be found; the mechanism may lock there, or a MOTION "
+            "jump");
     }
 
 private:

@@ -177,6 +177,16 @@ TEST_P(AppliedForces, VariablesStandForTheirFunctions) {
     EXPECT_NEAR(results.requests.getColumn("R1.F2").back(), 3, 1e-12);
 }
 
+// Outside of its domain a function is no number, and that is said at once.
+TEST(AppliedForces, AForceThatIsNoNumberIsAFailure) {
+    const Mechanism mechanism =
+        buildOrFail(makeBodies(MetreSecond) + "GFORCE/1,I=20,JFLOAT=31,FX=SQRT(DZ(20)-1)\nEND\n");
+    SimulationOptions options;
+    options.end = 1;
+    EXPECT_EQ(simulate(mechanism, assemble(mechanism), options).failure,
+              "at time 0: the simulation cannot go on: accelerations are not finite");
+}
+
 // Akima's curve through points of a parabola is that parabola, also with unequal tables of x: a spring that
 // stiffens, against the same law as a formula.
 std::string makeStiffening(const DatasetUnits& u, const std::string& force) {
