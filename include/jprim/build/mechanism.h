@@ -138,7 +138,8 @@ public:
     const std::vector<MechanismRequest>& getRequests() const { return m_requests; }
     const std::vector<MechanismSensor>& getSensors() const { return m_sensors; }
 
-    /// False if something may put energy in or take it out: damping, a force without a potential, a MOTION.
+    /// False if something may put energy in or take it out: damping, a force without a potential, a MOTION, a GCON
+    /// that depends on time or is not satisfied at rest.
     bool isConservative() const;
     /// Kinetic energy: Simbody's, and what the deformation of flexible bodies adds. Requires Stage::Velocity.
     SimTK::Real calcKineticEnergy(const SimTK::State& state) const;
