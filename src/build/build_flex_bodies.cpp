@@ -60,11 +60,9 @@ void MechanismBuilder::addFlexBody(const FlexBodyStatement& statement) {
     } catch (const Error& error) {
         return report(Severity::Error, statement.where, error.what());
     }
-    SimTK::MobilizedBody::Free body = part.flexible->getBody();
-    part.body = body;
-    part.cm = Marker(body);
-    part.bcs = Marker(body, Transform(-inUnits.rigid.center));
-    body.setDefaultTransform(part.calcGivenBodyPose());
+    part.body = part.flexible->getBody();
+    part.cm = Marker(part.body);
+    part.bcs = Marker(part.body, Transform(-inUnits.rigid.center));
     m_mechanism.m_parts.push_back(part);
 }
 

@@ -9,11 +9,12 @@
 #include "build/connections.h"
 #include "build/frames.h"
 #include "build/mechanism_builder.h"
+#include "build/mobilizers.h"
 #include "jprim/marker/marker_pair.h"
 
 namespace jprim {
 
-using SimTK::MobilizedBody;
+using SimTK::State;
 using SimTK::Transform;
 using SimTK::Vec3;
 
@@ -137,27 +138,46 @@ void MechanismBuilder::checkAxes() {
 }
 
 //---------------------------------------------------------------------------------------------- joints
-void MechanismBuilder::addConnection(const std::string& name, int i, int j, const Joint& joint) {
-    m_mechanism.m_connectionIndex[name] = int(m_mechanism.m_connections.size());
-    m_mechanism.m_connections.push_back({name, i, j, joint});
-    addLoadElement({name, i, j, [joint](const SimTK::State& s) { return joint.calcReactionOnI(s); },
-                    [joint](const SimTK::State& s) { return joint.calcReactionOnJ(s); }, true});
+void MechanismBuilder::addConnections() {
+    for (const JprimStatement& s : m_dataset.jprims)
+        addConnection("JPRIM", s, [&](const std::string& name) {
+            return makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name);
+        });
+    for (const JointStatement& s : m_dataset.joints) {
+        m_joints[s.id] = &s;
+        addConnection("JOINT", s, [&](const std::string& name) { return makeJoint(s, name); });
+    }
 }
 
-void MechanismBuilder::addConnections() {
-    for (const JprimStatement& s : m_dataset.jprims) {
-        const std::string name = fmt::format("JPRIM/{}", s.id);
-        attempt(name, s.where, [&] {
-            addConnection(
-                name, s.i, s.j,
-                makeConnection(s.type, m_mechanism.getMarker(s.i), m_mechanism.getMarker(s.j), name));
-        });
-    }
-    for (const JointStatement& s : m_dataset.joints) {
-        const std::string name = fmt::format("JOINT/{}", s.id);
-        m_joints[s.id] = &s;
-        attempt(name, s.where, [&] { addConnection(name, s.i, s.j, makeJoint(s, name)); });
-    }
+// Its equations, unless a mobilizer is in their place.
+template <class Statement, class Make>
+void MechanismBuilder::addConnection(const char* keyword, const Statement& s, const Make& makeEquations) {
+    const std::string name = fmt::format("{}/{}", keyword, s.id);
+    Connection connection{name, getAdamsName(s.type), s.i, s.j, {}};
+    const auto inTree = m_inTree.find(name);
+    m_mechanism.m_connectionLoad[name] = m_mechanism.m_loadElements.size();
+    attempt(name, s.where, [&] {
+        if (inTree != m_inTree.end())
+            addLoadElement(makeTreeLoad(s.i, s.j, inTree->second));
+        else {
+            const Joint joint = makeEquations(name);
+            connection.joint = joint;
+            addLoadElement({name, s.i, s.j, [joint](const State& t) { return joint.calcReactionOnI(t); },
+                            [joint](const State& t) { return joint.calcReactionOnJ(t); }, true});
+        }
+        m_mechanism.m_connections.push_back(connection);
+    });
+}
+
+LoadElement MechanismBuilder::makeTreeLoad(int i, int j, const TreePlace& place) const {
+    const PlannedMobilizer& m = *place.mobilizer;
+    const TreeJoint joint(m_mechanism.m_parts[size_t(m.part)].body, m_mechanism.getMarker(m.i),
+                          m_mechanism.getMarker(m.j), m.reversed);
+    const LoadShare share = place.element->share;
+    LoadFunction onI = [=](const State& state) { return joint.calcLoadOnI(state, share); };
+    LoadFunction onJ = [=](const State& state) { return joint.calcLoadOnJ(state, share); };
+    if (place.element->swapped) std::swap(onI, onJ);
+    return {place.element->name, i, j, onI, onJ, true};
 }
 
 // A SCREW or RACKPIN keeps the travel and angle that the markers are given with: only what is added to them
@@ -180,8 +200,9 @@ Joint MechanismBuilder::makeJoint(const JointStatement& s, const std::string& na
     return makeConnection(s.type, I, J, name);
 }
 
-std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics) {
-    return MechanismBuilder(dataset, diagnostics).build();
+std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics,
+                                        const BuildOptions& options) {
+    return MechanismBuilder(dataset, diagnostics, options).build();
 }
 
 }  // namespace jprim

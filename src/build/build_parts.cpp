@@ -6,6 +6,7 @@
 
 #include "build/frames.h"
 #include "build/mechanism_builder.h"
+#include "build/mobilizers.h"
 #include "build/part_mass.h"
 #include "jprim/build/build_mechanism.h"
 
@@ -27,7 +28,23 @@ void MechanismBuilder::addParts() {
     for (const PointMassStatement& mass : m_dataset.pointMasses) weigh(mass.mass);
     if (lightest == SimTK::Infinity) lightest = 1;
     m_lightestMass = lightest;
-    for (const PartStatement& part : m_dataset.parts) addPart(part, lightest);
+    m_mechanism.m_parts.resize(m_dataset.parts.size());
+    addGround();
+    for (const PlannedMobilizer& planned : m_plan.mobilizers) addPart(planned);
+}
+
+void MechanismBuilder::addGround() {
+    for (size_t k = 0; k < m_dataset.parts.size(); ++k) {
+        const PartStatement& statement = m_dataset.parts[k];
+        if (!statement.ground) continue;
+        MechanismPart& part = m_mechanism.m_parts[k];
+        part.name = fmt::format("PART/{}", statement.id);
+        part.ground = true;
+        setRigidCoordinates(statement, statement.where, part);
+        checkGround(statement);
+        part.body = m_mechanism.m_bodies->matter.updGround();
+        part.bcs = part.cm = part.vm = part.wm = Marker(part.body, part.givenPose);
+    }
 }
 
 // Largest distance of a part's marker from its mass centre.
@@ -43,29 +60,39 @@ Real MechanismBuilder::calcReach(int owner, const Vec3& center) const {
 // The Simbody body has its origin at the mass centre and the axes of the BCS: rotation and translation of a
 // free body are then uncoupled, and nothing is lost where a dataset gives every part the same far-away
 // origin.
-void MechanismBuilder::addPart(const PartStatement& statement, Real lightestMass) {
-    MechanismPart part;
+void MechanismBuilder::addPart(const PlannedMobilizer& planned) {
+    const PartStatement& statement = m_dataset.parts[size_t(planned.part)];
+    MechanismPart& part = m_mechanism.m_parts[size_t(planned.part)];
     part.name = fmt::format("PART/{}", statement.id);
-    part.ground = statement.ground;
     setRigidCoordinates(statement, statement.where, part);
 
-    MobilizedBody& ground = m_mechanism.m_bodies->matter.updGround();
-    if (part.ground) {
-        checkGround(statement);
-        part.body = ground;
-        part.bcs = part.cm = part.vm = part.wm = Marker(ground, part.givenPose);
-    } else {
-        const Transform X_PC = getMarkerPose(statement.cm);  // P: the BCS
-        const Real reach = calcReach(m_partIndex.at(statement.id), X_PC.p());
-        if (reach > 0) part.size = reach;
-        const Body::Rigid rigid = makeBody(statement, X_PC, part.size, lightestMass);
-        MobilizedBody::Free body(ground, rigid);
-        part.body = body;
-        part.bcs = Marker(body, Transform(-X_PC.p()));
-        body.setDefaultTransform(part.calcGivenBodyPose());
-        part.cm = Marker(body, Transform(X_PC.R()));
+    const Transform X_PC = getMarkerPose(statement.cm);  // P: the BCS
+    const Real reach = calcReach(planned.part, X_PC.p());
+    if (reach > 0) part.size = reach;
+    const Transform X_BP(-X_PC.p());
+    addBody(planned, makeBody(statement, X_PC, part.size), X_BP, part);
+    part.bcs = Marker(part.body, X_BP);
+    part.cm = Marker(part.body, Transform(X_PC.R()));
+}
+
+// The part's body, hung on its parent's at the markers of the joint that the mobilizer stands for.
+void MechanismBuilder::addBody(const PlannedMobilizer& planned, const Body& body, const Transform& X_BP,
+                               MechanismPart& part) {
+    if (planned.parent < 0) {
+        part.body =
+            addMobilizer(planned, m_mechanism.m_bodies->matter.updGround(), Transform(), body, Transform());
+        return;
     }
-    m_mechanism.m_parts.push_back(part);
+    MechanismPart& parent = m_mechanism.m_parts[size_t(planned.parent)];
+    const int onParent = planned.reversed ? planned.i : planned.j;
+    const int onPart = planned.reversed ? planned.j : planned.i;
+    part.body = addMobilizer(planned, parent.body, parent.bcs.getPose() * getMarkerPose(onParent), body,
+                             X_BP * getMarkerPose(onPart));
+    part.attachment = {planned.parent, getSimbodyName(planned.type), planned.reversed, {}};
+    for (const PlannedElement& element : planned.elements) {
+        part.attachment.elements.push_back(element.name);
+        m_inTree[element.name] = {&planned, &element};
+    }
 }
 
 void MechanismBuilder::addPointMasses() {
@@ -100,7 +127,7 @@ void MechanismBuilder::addPointMass(const PointMassStatement& statement) {
     part.body = body;
     part.bcs = Marker(body, Transform(-X_PC.p()));
     part.cm = Marker(body, Transform(X_PC.R()));
-    body.setDefaultTranslation(~part.givenPose.R() * part.calcGivenBodyPose().p());
+    part.attachment.mobilizer = "Translation";
     m_mechanism.m_parts.push_back(part);
 }
 
@@ -128,8 +155,7 @@ void MechanismBuilder::checkGround(const PartStatement& s) {
             fmt::format("PART/{} is GROUND: its mass, inertia, velocities and EXACT have no effect", s.id));
 }
 
-Body::Rigid MechanismBuilder::makeBody(const PartStatement& statement, const Transform& X_PC, Real size,
-                                       Real lightestMass) {
+Body::Rigid MechanismBuilder::makeBody(const PartStatement& statement, const Transform& X_PC, Real size) {
     const UnitSystem& units = m_mechanism.m_units;
     PartMass part{statement.mass.value_or(0) * units.mass, X_PC,
                   statement.im == 0 ? X_PC : getMarkerPose(statement.im), statement.ip};
@@ -144,7 +170,7 @@ Body::Rigid MechanismBuilder::makeBody(const PartStatement& statement, const Tra
                            statement.id, problem));
         return Body::Rigid();
     }
-    const SolvableMass used = makeSolvable(part.mass, given, size, lightestMass);
+    const SolvableMass used = makeSolvable(part.mass, given, size, m_lightestMass);
     if (used.massReplaced)
         report(Severity::Warning, statement.where,
                fmt::format("PART/{} has no mass; MASS={:.3g} is used so that the equations can be solved",

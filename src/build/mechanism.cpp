@@ -10,6 +10,7 @@ namespace jprim {
 
 using SimTK::Real;
 using SimTK::State;
+using SimTK::Transform;
 
 Mechanism::Mechanism() : m_bodies(std::make_unique<Bodies>()) {}
 
@@ -20,6 +21,21 @@ bool Mechanism::isConservative() const {
             for (const Real ratio : part.flexible->getDampingRatios())
                 if (ratio > 0) return false;
     return true;
+}
+
+Transform Mechanism::calcGivenMobilizerPose(const State& state, const MechanismPart& part) const {
+    const int parent = part.attachment.parent;
+    const Transform X_GP = parent < 0 ? Transform() : m_parts[size_t(parent)].calcGivenBodyPose();
+    const Transform X_GF = X_GP * part.body.getInboardFrame(state);
+    return ~X_GF * (part.calcGivenBodyPose() * part.body.getOutboardFrame(state));
+}
+
+State Mechanism::makeGivenState() const {
+    State state = getSystem().realizeTopology();
+    getSystem().realizeModel(state);
+    for (const MechanismPart& part : m_parts)
+        if (!part.ground) part.body.setQToFitTransform(state, calcGivenMobilizerPose(state, part));
+    return state;
 }
 
 Real Mechanism::calcKineticEnergy(const State& state) const {
@@ -37,9 +53,13 @@ const Marker& Mechanism::getMarker(int id) const {
 }
 
 Real Mechanism::calcReaction(const State& state, const std::string& name, int jflag, int comp, int rm) const {
-    const auto found = m_connectionIndex.find(name);
-    if (found == m_connectionIndex.end()) throw Error(name, "does not exist in this mechanism");
-    const Real value = m_connections[found->second].joint.JOINT(state, jflag, comp, getMarker(rm));
+    const auto found = m_connectionLoad.find(name);
+    if (found == m_connectionLoad.end()) throw Error(name, "does not exist in this mechanism");
+    const LoadElement& element = m_loadElements[found->second];
+    const Marker& axes = getMarker(rm);
+    const Real value =
+        getReactionComponent(expressLoadIn(state, element.onI(state), axes),
+                             expressLoadIn(state, element.onJ(state), axes), jflag, comp, name);
     return value * (comp <= 4 ? m_lengthUnit : m_lengthUnit * m_lengthUnit);  // to N or N m
 }
 
@@ -60,7 +80,11 @@ std::vector<std::string> Mechanism::getSwitchableElements() const {
 
 std::vector<SimTK::Constraint> Mechanism::getConstraints(const std::string& element) const {
     for (const Connection& connection : m_connections)
-        if (connection.name == element) return connection.joint.getConstraints();
+        if (connection.name == element) {
+            if (connection.joint) return connection.joint->getConstraints();
+            throw Error(element, "is a mobilizer of the tree and cannot be switched; use the formulation by "
+                                 "constraints");
+        }
     for (const Equation& equation : m_equations)
         if (equation.name == element) return {equation.constraint};
     throw Error(element, "does not exist in this mechanism");
@@ -68,7 +92,8 @@ std::vector<SimTK::Constraint> Mechanism::getConstraints(const std::string& elem
 
 ElementNames Mechanism::getElementNames() const {
     std::vector<Joint> joints;
-    for (const Connection& connection : m_connections) joints.push_back(connection.joint);
+    for (const Connection& connection : m_connections)
+        if (connection.joint) joints.push_back(*connection.joint);
     ElementNames names = nameElements(joints);
     for (const Equation& equation : m_equations)
         names[equation.constraint.getConstraintIndex()] = {equation.name, {"its equation"}};
@@ -86,10 +111,11 @@ std::vector<Mechanism::EquationName> Mechanism::findEquations(const State& state
             levels[level].insert(levels[level].end(), size_t(counts[level]), {element, isLength, level == 0});
     };
     for (const Connection& connection : m_connections) {
-        for (const Primitive& primitive : connection.joint.getPrimitives())
+        if (!connection.joint) continue;
+        for (const Primitive& primitive : connection.joint->getPrimitives())
             add(connection.name, primitive, primitive.isTranslational());
-        for (const GeneralConstraint& equation : connection.joint.getEquations())
-            add(connection.name, equation, connection.joint.getPrimitives().empty());
+        for (const GeneralConstraint& equation : connection.joint->getEquations())
+            add(connection.name, equation, connection.joint->getPrimitives().empty());
     }
     for (const Equation& equation : m_equations) add(equation.name, equation.constraint, equation.isLength);
     std::vector<EquationName> all;

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "build/function_writer.h"
+#include "build/tree_plan.h"
 #include "jprim/base/diagnostic.h"
 #include "jprim/base/error.h"
-#include "jprim/build/mechanism.h"
+#include "jprim/build/build_mechanism.h"
 #include "jprim/joint/motion.h"
 
 namespace jprim {
@@ -19,8 +20,10 @@ namespace jprim {
 /// gravity, parts, markers, functions, constraints, forces, requests.
 class MechanismBuilder {
 public:
-    MechanismBuilder(const Dataset& dataset, Diagnostics& diagnostics)
-        : m_dataset(dataset), m_diagnostics(diagnostics) {}
+    MechanismBuilder(const Dataset& dataset, Diagnostics& diagnostics, const BuildOptions& options)
+        : m_dataset(dataset),
+          m_diagnostics(diagnostics),
+          m_plan(options.formulation == Formulation::Tree ? planTree(dataset) : planFreeParts(dataset)) {}
 
     std::optional<Mechanism> build() {
         m_mechanism.m_title = m_dataset.title;
@@ -50,6 +53,12 @@ public:
     }
 
 private:
+    /// Where an element is that a mobilizer stands for.
+    struct TreePlace {
+        const PlannedMobilizer* mobilizer;
+        const PlannedElement* element;
+    };
+
     void report(Severity severity, const SourcePosition& where, const std::string& message) {
         m_failed = m_failed || severity == Severity::Error;
         m_diagnostics.push_back({severity, where, message});
@@ -64,14 +73,17 @@ private:
     void chooseLengthUnit();
     void addGravity();
     void addParts();
-    void addPart(const PartStatement& statement, SimTK::Real lightestMass);
+    void addGround();
+    void addPart(const PlannedMobilizer& planned);
+    void addBody(const PlannedMobilizer& planned, const SimTK::Body& body, const SimTK::Transform& X_BP,
+                 MechanismPart& part);
     void addFlexBodies();
     void addFlexBody(const FlexBodyStatement& statement);
     void setRigidCoordinates(const RigidCoordinates& statement, const SourcePosition& where,
                              MechanismPart& part);
     void checkGround(const PartStatement& statement);
     SimTK::Body::Rigid makeBody(const PartStatement& statement, const SimTK::Transform& X_PC,
-                                SimTK::Real size, SimTK::Real lightestMass);
+                                SimTK::Real size);
     void addMarkers();
     Marker makeMarker(const MarkerStatement& statement) const;
     void checkAxes();
@@ -79,7 +91,9 @@ private:
     void addPointMass(const PointMassStatement& statement);
     void prepareFunctions();
     void addConnections();
-    void addConnection(const std::string& name, int i, int j, const Joint& joint);
+    template <class Statement, class Make>
+    void addConnection(const char* keyword, const Statement& statement, const Make& makeEquations);
+    LoadElement makeTreeLoad(int i, int j, const TreePlace& place) const;
     Joint makeJoint(const JointStatement& statement, const std::string& name) const;
     void addEquations();
     void addEquation(const std::string& name, GeneralConstraint constraint, const Expression& f);
@@ -134,6 +148,7 @@ private:
 
     const Dataset& m_dataset;
     Diagnostics& m_diagnostics;
+    const TreePlan m_plan;
     bool m_failed = false;
     Mechanism m_mechanism;
     std::unordered_map<int, SimTK::Transform> m_markerPoses;  // in the part's BCS, undeformed
@@ -142,6 +157,7 @@ private:
     std::unordered_map<int, int> m_ownerOfMarker;
     std::unordered_map<int, std::vector<int>> m_markersOfOwner;
     std::unordered_map<int, const JointStatement*> m_joints;
+    std::unordered_map<std::string, TreePlace> m_inTree;
     SimTK::Real m_lightestMass = 1;
     FunctionContext m_functions;
     std::unordered_map<int, ModalBasis> m_modes;  // by FLEX_BODY; in SI until it is added

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "jprim/base/error.h"
 #include "simulation/assembly_conditions.h"
@@ -50,7 +51,8 @@ void holdGivenCoordinates(const Mechanism& mechanism, Exactness exactness, Assem
     };
     for (const MechanismPart& part : mechanism.getParts()) {
         const auto held = std::count(part.exact.begin(), part.exact.end(), true);
-        if (held == 6)
+        const bool hangsOnGround = part.body.isGround() || part.body.getParentMobilizedBody().isGround();
+        if (held == 6 && hangsOnGround)
             assembler.lockMobilizer(part.body.getMobilizedBodyIndex());
         else if (held > 0)
             adopt(new ExactCoordinates(part));
@@ -188,15 +190,29 @@ Violation calcViolation(const Mechanism& mechanism, const State& state) {
 
 namespace {
 
+// Where the given poses do not fit a mobilizer, its joint is violated as equations in its place would be.
+void addMisfits(const Mechanism& mechanism, const State& given, Violation& violation) {
+    for (const MechanismPart& part : mechanism.getParts()) {
+        if (part.ground) continue;
+        Transform fit = part.body.getMobilizerTransform(given);
+        Transform wanted = mechanism.calcGivenMobilizerPose(given, part);
+        if (part.attachment.reversed) std::tie(fit, wanted) = std::pair(~fit, ~wanted);  // I in J
+        const Real length = max((wanted.p() - fit.p()).abs());
+        const Real angle = std::abs((~fit.R() * wanted.R()).convertRotationToAngleAxis()[0]);
+        if (!part.attachment.elements.empty() &&
+            std::max(length, angle) > std::max(violation.length, violation.angle))
+            violation.element = part.attachment.elements[0];
+        violation.length = std::max(violation.length, length);
+        violation.angle = std::max(violation.angle, angle);
+    }
+}
+
 void assemblePositions(const Mechanism& mechanism, const Aim& aim, AssembledState& result) {
-    const SimTK::MultibodySystem& system = mechanism.getSystem();
-    system.realize(result.state, Stage::Position);
-    result.before = calcViolation(mechanism, result.state);
     const bool misplaced =
         aim.holdGiven && findCoordinateError(mechanism, result.state).first > AssemblyTolerance;
     if (!isViolated(result.before) && !misplaced) return;
     assemblePositions(mechanism, aim, result.state);
-    system.realize(result.state, Stage::Position);
+    mechanism.getSystem().realize(result.state, Stage::Position);
 }
 
 // Equations that agree on positions may contradict each other on velocities, as two MOTIONs of one joint. Names the
@@ -235,10 +251,11 @@ void finish(const Mechanism& mechanism, AssembledState& result) {
 }  // namespace
 
 AssembledState assemble(const Mechanism& mechanism) {
-    const SimTK::MultibodySystem& system = mechanism.getSystem();
     AssembledState result;
-    result.state = system.realizeTopology();
-    system.realizeModel(result.state);
+    result.state = mechanism.makeGivenState();
+    mechanism.getSystem().realize(result.state, Stage::Position);
+    result.before = calcViolation(mechanism, result.state);
+    addMisfits(mechanism, result.state, result.before);
     Aim aim;
     for (const MechanismPart& part : mechanism.getParts()) aim.poses.push_back(part.calcGivenBodyPose());
     assemblePositions(mechanism, aim, result);
@@ -254,6 +271,7 @@ AssembledState reassemble(const Mechanism& mechanism, const State& current) {
     Aim aim;
     aim.holdGiven = false;
     mechanism.getSystem().realize(result.state, Stage::Position);
+    result.before = calcViolation(mechanism, result.state);
     for (const MechanismPart& part : mechanism.getParts())
         aim.poses.push_back(part.body.getBodyTransform(result.state));
     assemblePositions(mechanism, aim, result);

@@ -14,7 +14,7 @@ Eigen::MatrixXd calcConstraintJacobian(const Mechanism& mechanism, const SimTK::
 }
 
 Eigen::MatrixXd calcNullSpace(const Eigen::MatrixXd& A) {
-    if (A.rows() == 0) return Eigen::MatrixXd::Identity(A.cols(), A.cols());
+    if (A.size() == 0) return Eigen::MatrixXd::Identity(A.cols(), A.cols());
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
     qr.setThreshold(JacobianRankTolerance);
     const Eigen::MatrixXd Q = qr.householderQ();

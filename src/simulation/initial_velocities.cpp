@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speeds u with G u = b that minimize first |C u - c|, then |u|, where the rows of C pick the given
-// components c and b is what time-dependent constraints demand. Every part is a free body with
-// u = [w_GB, v_GC], its angular velocity and the velocity of its mass centre. To compare the two, angular
-// velocities are multiplied by the part's size. Speeds of modes have zeros in S: they are at rest.
+// Speeds u with G u = b that minimize first |C u - c|, then the size of what moves, where the rows of C pick the
+// given components c and b is what time-dependent constraints demand. The size is that of V = A u, the
+// velocities of all mass centres and the angular velocities times the parts' sizes. Speeds of modes have zeros
+// in S: they are at rest.
 //
-//     u = S y,  (G S) p = b,  Z spans the null space of G S,  y = p + Z x,
+//     A = Q R,  u = S y with S = inverse of R,  so that |y| = |V|
+//     (G S) p = b,  Z spans the null space of G S,  y = p + Z x,
 //     x = least-norm least-squares of (C S Z) x = c - C S p
+//
+// None of this is needed if the velocities given, with zero for what is not, are a motion that the joints allow.
 #include "simulation/initial_velocities.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 
+#include "jprim/marker/marker_pair.h"
 #include "marker/marker_expression.h"
 #include "simulation/constraint_jacobian.h"
 
@@ -27,17 +32,15 @@ namespace {
 constexpr double Admissible = 1e-12;
 
 struct GivenVelocities {
-    Eigen::VectorXd scale;  // the diagonal of S
     Eigen::MatrixXd C;
     Eigen::VectorXd c;
-    bool isOrthonormal = true;  // the rows of C S
 };
 
+/// Collects the rows of C.
 class Collector {
 public:
     Collector(const Mechanism& mechanism, const State& state)
         : m_matter(mechanism.getMatter()), m_state(state) {
-        m_given.scale = Eigen::VectorXd::Zero(state.getNU());
         for (const MechanismPart& part : mechanism.getParts())
             if (!part.ground) addPart(part);
         for (const InitialCoordinate& given : mechanism.getInitialCoordinates())
@@ -53,9 +56,6 @@ public:
 
 private:
     void addPart(const MechanismPart& part) {
-        const int firstU = part.body.getFirstUIndex(m_state), turns = part.turns ? 3 : 0;
-        m_given.scale.segment(firstU, turns).setConstant(1 / part.size);
-        m_given.scale.segment<3>(firstU + turns).setOnes();
         const SimTK::Rotation R_GV = part.vm.findPoseInGround(m_state).R();
         const SimTK::Rotation R_GW = part.wm.findPoseInGround(m_state).R();
         for (int k = 0; k < 3; ++k) {
@@ -94,7 +94,6 @@ private:
             q.markers[k].applyLoad(m_state, q.getDirection(evaluation, motions.data(), int(k)), directions,
                                    onSpeeds);
         addRow(directions, onSpeeds, rate);
-        m_given.isOrthonormal = false;
     }
 
     const SimTK::SimbodyMatterSubsystem& m_matter;
@@ -105,8 +104,8 @@ private:
 };
 
 // G u - b, of the equations on velocities.
-Eigen::VectorXd calcErrors(const Mechanism& mechanism, State& state, const Eigen::VectorXd& u) {
-    for (int i = 0; i < state.getNU(); ++i) state.updU()[i] = u[i];
+Eigen::VectorXd calcErrors(const Mechanism& mechanism, State& state, const Vector& u) {
+    state.updU() = u;
     mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
     const Vector& errors = state.getUErr();
     Eigen::VectorXd result(errors.size());
@@ -121,34 +120,104 @@ Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& A, const Eigen::VectorXd& 
 }
 
 // y, see above.
-Eigen::VectorXd solve(const Eigen::MatrixXd& GS, const Eigen::VectorXd& b, const GivenVelocities& given) {
-    const Eigen::MatrixXd CS = given.C * given.scale.asDiagonal();
+Eigen::VectorXd solve(const Eigen::MatrixXd& GS, const Eigen::VectorXd& b, const Eigen::MatrixXd& CS,
+                      const Eigen::VectorXd& c) {
     Eigen::VectorXd p = Eigen::VectorXd::Zero(GS.cols());
     if (!b.isZero(0)) p = solveLeastNorm(GS, b);
     const Eigen::MatrixXd Z = calcNullSpace(GS);
     const Eigen::MatrixXd CSZ = CS * Z;
     if (Z.cols() == 0 || CSZ.norm() < JacobianRankTolerance) return p;
-    return p + Z * CSZ.completeOrthogonalDecomposition().solve(given.c - CS * p);
+    return p + Z * solveLeastNorm(CSZ, c - CS * p);
+}
+
+// S, see above; its rows are those of u, its columns those of the speeds of parts.
+Eigen::MatrixXd calcS(const Mechanism& mechanism, const State& state) {
+    Matrix J;  // [w, v] of each body
+    mechanism.getMatter().calcSystemJacobian(state, J);
+    std::vector<Eigen::Index> rows, speeds;
+    std::vector<double> weights;
+    for (const MechanismPart& part : mechanism.getParts()) {
+        if (part.ground) continue;
+        for (int k = 0; k < 6; ++k) {
+            rows.push_back(6 * part.body.getMobilizedBodyIndex() + k);
+            weights.push_back(k < 3 ? part.size : 1);
+        }
+        for (int k = 0; k < part.body.getNumU(state); ++k)
+            speeds.push_back(part.body.getFirstUIndex(state) + k);
+    }
+    const auto n = Eigen::Index(speeds.size());
+    Eigen::MatrixXd S = Eigen::MatrixXd::Zero(state.getNU(), n);
+    const Eigen::Map<const Eigen::MatrixXd> all(&J(0, 0), J.nrow(), J.ncol());
+    const Eigen::Map<const Eigen::VectorXd> W(weights.data(), Eigen::Index(weights.size()));
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(W.asDiagonal() * all(rows, speeds));
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(n, n);
+    qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().solveInPlace(inverse);
+    S(speeds, Eigen::all) = inverse;
+    return S;
+}
+
+// The velocities given for a part, with zero for what is not.
+SpatialVec findGivenVelocity(const MechanismPart& part, const State& state) {
+    const auto fill = [](const std::array<std::optional<Real>, 3>& given) {
+        return Vec3(given[0].value_or(0), given[1].value_or(0), given[2].value_or(0));
+    };
+    const Vec3 w = part.turns ? fill(part.w) : Vec3(0);
+    return {part.wm.findPoseInGround(state).R() * w, part.vm.findPoseInGround(state).R() * fill(part.v)};
+}
+
+// The speeds that come nearest to the velocities given, each joint by itself.
+Vector fitGivenVelocities(const Mechanism& mechanism, State& state) {
+    SimTK::Vector_<SpatialVec> V(mechanism.getMatter().getNumBodies(), SpatialVec(Vec3(0), Vec3(0)));
+    for (const MechanismPart& part : mechanism.getParts())
+        if (!part.ground) V[part.body.getMobilizedBodyIndex()] = findGivenVelocity(part, state);
+    State fitted = state;
+    mechanism.getSystem().realize(fitted, SimTK::Stage::Position);
+    for (const MechanismPart& part : mechanism.getParts()) {
+        if (part.ground) continue;
+        const SimTK::MobilizedBody& parent = part.body.getParentMobilizedBody();
+        const auto findMotion = [&](const SimTK::MobilizedBody& body, const SimTK::Transform& X_BF) {
+            const Vec3 lever = body.getBodyRotation(state) * X_BF.p();
+            const SpatialVec& V_GB = V[body.getMobilizedBodyIndex()];
+            return std::pair(body.getBodyTransform(state) * X_BF,
+                             SpatialVec(V_GB[0], V_GB[1] + V_GB[0] % lever));
+        };
+        const auto [X_GF, V_GF] = findMotion(parent, part.body.getInboardFrame(state));
+        const auto [X_GM, V_GM] = findMotion(part.body, part.body.getOutboardFrame(state));
+        part.body.setUToFitVelocity(fitted, MarkerPair(X_GM, X_GF).calcVelocity(V_GM, V_GF));
+    }
+    return fitted.getU();
+}
+
+// True if the speeds violate the constraints, and miss what is given or should be at rest, by no more than
+// rounding.
+bool isAdmissible(const Mechanism& mechanism, State& state, const Vector& u) {
+    const double errors = calcErrors(mechanism, state, u).norm();
+    double missed = 0, largest = 0;
+    for (const MechanismPart& part : mechanism.getParts()) {
+        if (part.ground) continue;
+        const SpatialVec given = findGivenVelocity(part, state);
+        const SpatialVec miss = part.body.getBodyVelocity(state) - given;
+        missed = std::max({missed, part.size * miss[0].norm(), miss[1].norm()});
+        largest = std::max({largest, part.size * given[0].norm(), given[1].norm()});
+    }
+    return errors <= Admissible * u.norm() && missed <= Admissible * largest;
 }
 
 }  // namespace
 
 Vector calcInitialVelocities(const Mechanism& mechanism, const State& positions) {
+    if (positions.getNU() == 0) return Vector();
     State state = positions;
     mechanism.getSystem().realize(state, SimTK::Stage::Position);  // a copy has forgotten that it was
-    const GivenVelocities given = Collector(mechanism, state).finish();
-    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(state.getNU());
-    const Eigen::VectorXd b = -calcErrors(mechanism, state, rest);
-    Eigen::VectorXd u = rest;
-    if (given.isOrthonormal)  // the pseudo-inverse of C S is its transpose
-        u = given.scale.cwiseAbs2().asDiagonal() * (given.C.transpose() * given.c);
-    const bool isAdmissible =
-        given.isOrthonormal && calcErrors(mechanism, state, u).norm() <= Admissible * u.norm();
-    if (!isAdmissible) {
-        const Eigen::MatrixXd GS =
-            calcConstraintJacobian(mechanism, state, b.size()) * given.scale.asDiagonal();
-        u = given.scale.asDiagonal() * solve(GS, b, given);
+    const std::vector<InitialCoordinate>& coordinates = mechanism.getInitialCoordinates();
+    if (std::none_of(coordinates.begin(), coordinates.end(), [](const auto& c) { return bool(c.rate); })) {
+        const Vector fitted = fitGivenVelocities(mechanism, state);
+        if (isAdmissible(mechanism, state, fitted)) return fitted;
     }
+    const Eigen::VectorXd b = -calcErrors(mechanism, state, Vector(state.getNU(), Real(0)));
+    const GivenVelocities given = Collector(mechanism, state).finish();
+    const Eigen::MatrixXd S = calcS(mechanism, state);
+    const Eigen::VectorXd u = S * solve(calcConstraintJacobian(mechanism, state, b.size()) * S, b, given.C * S, given.c);
     return Vector(int(u.size()), u.data());
 }
 

@@ -16,9 +16,11 @@ using SimTK::State;
 namespace {
 
 const Primitive* findPrimitive(const Mechanism& mechanism, SimTK::ConstraintIndex index) {
-    for (const Connection& connection : mechanism.getConnections())
-        for (const Primitive& primitive : connection.joint.getPrimitives())
+    for (const Connection& connection : mechanism.getConnections()) {
+        if (!connection.joint) continue;
+        for (const Primitive& primitive : connection.joint->getPrimitives())
             if (primitive.getConstraintIndex() == index) return &primitive;
+    }
     return nullptr;
 }
 

@@ -11,14 +11,14 @@ namespace {
 void countElements(CheckReport& report) {
     for (const Connection& connection : report.model.mechanism->getConnections()) {
         const std::string kind = connection.name.substr(0, connection.name.find('/'));
-        ++report.elements[kind][connection.joint.getAdamsType()];
+        ++report.elements[kind][connection.type];
     }
     for (const Equation& equation : report.model.mechanism->getEquations())
         ++report.elements[equation.name.substr(0, equation.name.find('/'))][""];
 }
 
 State getGivenState(const Mechanism& mechanism) {
-    State state = mechanism.getSystem().realizeTopology();
+    State state = mechanism.makeGivenState();
     mechanism.getSystem().realize(state, Stage::Position);
     return state;
 }
@@ -50,12 +50,31 @@ void diagnose(CheckReport& report) {
     }
 }
 
+TreeReport makeTree(const Dataset& dataset) {
+    Diagnostics known;  // those of the mechanism with all equations are the same
+    const std::optional<Mechanism> mechanism = buildMechanism(dataset, known, {Formulation::Tree});
+    TreeReport tree;
+    if (!mechanism) return tree;
+    const std::vector<MechanismPart>& parts = mechanism->getParts();
+    for (const MechanismPart& part : parts) {
+        if (part.ground) continue;
+        const Attachment& a = part.attachment;
+        const std::string parent = a.parent < 0 ? "ground" : parts[size_t(a.parent)].name;
+        tree.branches.push_back({part.name, parent, a.mobilizer, a.elements});
+    }
+    for (const Connection& connection : mechanism->getConnections())
+        if (connection.joint) tree.equations.push_back(connection.joint->getDescription());
+    return tree;
+}
+
 }  // namespace
 
 ExitCode check(const CheckArguments& arguments) {
     CheckReport report;
-    report.model = loadModel(arguments.model);
+    report.model = loadModel(arguments.model, Formulation::Constraints);
     if (report.model.mechanism) diagnose(report);
+    if (report.model.mechanism && arguments.formulation == Formulation::Tree)
+        report.tree = makeTree(report.model.dataset);
     if (report.failure) printError(arguments.model, report.failure->message);
     if (arguments.json)
         printJson(report);

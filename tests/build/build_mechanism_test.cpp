@@ -257,7 +257,7 @@ TEST(BuildMechanism, LengthUnitSuitsTheMechanism) {
     EXPECT_DOUBLE_EQ(build("CGS", 1).getLengthUnit(), 1e-3);
     EXPECT_DOUBLE_EQ(build("MKS", 1e-6).getLengthUnit(), 1e-6);
     const Mechanism small = build("MKS", 1e-6);
-    SimTK::State state = small.getSystem().realizeTopology();
+    SimTK::State state = small.makeGivenState();
     small.getSystem().realize(state, SimTK::Stage::Acceleration);
     EXPECT_NEAR(small.calcJOINT(state, 1, 0, 4), 20, 1e-10);
 }
@@ -270,7 +270,7 @@ TEST(BuildMechanism, ADisplacedGroundCarriesItsMarkers) {
 TEST(BuildMechanism, AdamsFunctionsByNumber) {
     const Mechanism mechanism =
         buildOrFail(Preamble + "JPRIM/012, ATPOINT, I=10, J=21\nACCGRAV/KGRAV=-10\nEND\n");
-    SimTK::State state = mechanism.getSystem().realizeTopology();
+    SimTK::State state = mechanism.makeGivenState();
     mechanism.getSystem().realize(state, SimTK::Stage::Acceleration);
     // On ground: minus what holds a rod of mass m whose mass centre, a distance c from the pin, falls.
     const double m = 2, c = 0.5, I = 0.2, g = 10;

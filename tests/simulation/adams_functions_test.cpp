@@ -28,7 +28,7 @@ Results runCase(const std::string& name, double springFactor = 1) {
     Dataset dataset = readDatasetFile(testing::getDataFolder() + "adams/" + name + ".adm", diagnostics);
     for (SforceStatement& force : dataset.sforces)
         force.function.text = fmt::format("{}*({})", springFactor, force.function.text);
-    std::optional<Mechanism> mechanism = buildMechanism(dataset, diagnostics);
+    std::optional<Mechanism> mechanism = buildMechanism(dataset, diagnostics, testing::getBuildOptions());
     if (!mechanism) throw std::runtime_error(testing::formatAll(diagnostics));
     return testing::run(*mechanism, 5, 100, Accuracy).results;
 }

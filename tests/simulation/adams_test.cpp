@@ -88,7 +88,7 @@ TEST(AdamsMutant, SlightlyWrongGravityIsNoticed) {
     Diagnostics diagnostics;
     Dataset dataset = readDatasetFile(path, diagnostics);
     dataset.gravity->acceleration[2] *= 1 + 1e-4;
-    const Mechanism mechanism = std::move(*buildMechanism(dataset, diagnostics));
+    const Mechanism mechanism = std::move(*buildMechanism(dataset, diagnostics, testing::getBuildOptions()));
     const Results results = testing::run(mechanism, 5, 100, Accuracy).results;
     const Vectors position = getVectors(readReference("Revolute_Case01"), {"X", "Y", "Z"});
     EXPECT_GT(calcRms(sumVectors(results.parts, {"PART/2."}), position), 1e-5 * findSize(position));

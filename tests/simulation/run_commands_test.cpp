@@ -21,11 +21,12 @@ const char* const Driven =
     "driven\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.1,0.1,0.2\nMARKER/20\n"
     "JOINT/1,REVOLUTE,I=20,J=10\nMOTION/1,JOINT=1,FUNCTION=TIME**2\nREQUEST/1,F2=AZ(20,10)\nEND\n";
 
-CommandsOutcome run(const char* dataset, const std::string& commands, double accuracy = 1e-8) {
+CommandsOutcome run(const char* dataset, const std::string& commands, double accuracy = 1e-8,
+                    Formulation formulation = Formulation::Tree) {
     Diagnostics diagnostics;
     const CommandFile file = readCommands("model\n\n" + commands, diagnostics);
     if (hasErrors(diagnostics)) throw std::runtime_error(testing::formatAll(diagnostics));
-    const Mechanism mechanism = testing::buildOrFail(dataset);
+    const Mechanism mechanism = testing::buildOrFail(dataset, {formulation});
     SimulationOptions options;
     options.accuracy = accuracy;
     return runCommands(mechanism, file.commands, options);
@@ -53,7 +54,8 @@ TEST(RunCommands, OneRunInTwoPartsIsTheSameRun) {
 TEST(RunCommands, ADeactivatedJointLetsGo) {
     const CommandsOutcome outcome = run(Pendulum,
                                         "SIMULATE/DYNAMICS, END=0.3, STEPS=1\nDEACTIVATE/JOINT, ID=1\n"
-                                        "SIMULATE/DYNAMICS, END=0.5, STEPS=1\n");
+                                        "SIMULATE/DYNAMICS, END=0.5, STEPS=1\n",
+                                        1e-8, Formulation::Constraints);
     const Table& parts = outcome.results.parts;
     ASSERT_EQ(parts.getNumRows(), 4u);  // the moment of switching twice
     const auto get = [&parts](const char* name, size_t row) { return parts.getColumn(name)[row]; };

@@ -128,8 +128,10 @@ TEST(Simulate, EveryIntegratorAgrees) {
 }
 
 TEST(Simulate, FailureNamesTheTimeAndKeepsTheResultsSoFar) {
-    const Mechanism mechanism = buildOrFail(testing::makeBeadOnSwing(
-        "UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=METER,TIME=MILLISECOND", 1, 1, 1000));
+    const Mechanism mechanism =
+        buildOrFail(testing::makeBeadOnSwing("UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=METER,TIME=MILLISECOND",
+                                             1, 1, 1000),
+                    {Formulation::Constraints});
     SimulationOptions options;
     options.end = 1000;  // ms
     options.steps = 10;

@@ -114,13 +114,17 @@ TEST(Sizes, LostEquationsAreAFailure) {
     const std::string tiny =
         "PART/4,MASS=1E-6,CM=40,IP=1E-14,1E-14,1E-14\nMARKER/40,REULER=0D,90D,0D\n"
         "JOINT/4,REVOLUTE,I=10,J=40\n";
-    const Mechanism mechanism = buildOrFail(makeMasslessLink(1, tiny));
+    const Mechanism mechanism = buildOrFail(makeMasslessLink(1, tiny), {Formulation::Constraints});
     SimulationOptions options;
     options.end = 0.1;
     const std::string failure = simulate(mechanism, assemble(mechanism), options).failure;
     EXPECT_NE(failure.find("the accelerations violate JOINT/"), std::string::npos) << failure;
     EXPECT_NE(failure.find("masses and inertias are too different to solve for"), std::string::npos)
         << failure;
+    // Joint coordinates have no equations to lose.
+    const Mechanism tree = buildOrFail(makeMasslessLink(1, tiny), {Formulation::Tree});
+    const Results results = testing::run(tree, 1e-4, 1, 1e-6).results;
+    EXPECT_NEAR(results.reactions.getColumn("JOINT/1.I.FZ").front(), -49.05, 1e-4);
 }
 
 // A pendulum of one micrometre swings as one of a metre does, a thousand times as fast.

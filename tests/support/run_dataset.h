@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "jprim/build/build_mechanism.h"
 #include "jprim/dataset/read_dataset.h"
 #include "jprim/simulation/simulate.h"
@@ -15,6 +17,14 @@ inline std::string getDataFolder() {
     return std::string(JPRIM_SOURCE_DIR) + "/tests/data/";
 }
 
+/// How the tests' datasets are solved: by a tree, or as the environment wants it, so that the tests can be run for
+/// both.
+inline BuildOptions getBuildOptions() {
+    const char* wanted = std::getenv("JPRIM_TEST_FORMULATION");
+    const bool constraints = wanted && std::string(wanted) == "constraints";
+    return {constraints ? Formulation::Constraints : Formulation::Tree};
+}
+
 /// The diagnostics as lines of text: "12:3: error: message".
 inline std::string formatAll(const Diagnostics& diagnostics) {
     std::string text;
@@ -23,15 +33,16 @@ inline std::string formatAll(const Diagnostics& diagnostics) {
 }
 
 /// Builds a mechanism from the text of a dataset; the test fails if that gives an error.
-inline std::optional<Mechanism> buildFromText(const std::string& text, Diagnostics& diagnostics) {
+inline std::optional<Mechanism> buildFromText(const std::string& text, Diagnostics& diagnostics,
+                                              const BuildOptions& options = getBuildOptions()) {
     const Dataset dataset = readDataset(text, diagnostics);
     if (hasErrors(diagnostics)) return std::nullopt;
-    return buildMechanism(dataset, diagnostics);
+    return buildMechanism(dataset, diagnostics, options);
 }
 
-inline Mechanism buildOrFail(const std::string& text) {
+inline Mechanism buildOrFail(const std::string& text, const BuildOptions& options = getBuildOptions()) {
     Diagnostics diagnostics;
-    std::optional<Mechanism> mechanism = buildFromText(text, diagnostics);
+    std::optional<Mechanism> mechanism = buildFromText(text, diagnostics, options);
     if (!mechanism) throw std::runtime_error(formatAll(diagnostics));
     return std::move(*mechanism);
 }
@@ -40,7 +51,7 @@ inline Mechanism buildFileOrFail(const std::string& path) {
     Diagnostics diagnostics;
     const Dataset dataset = readDatasetFile(path, diagnostics);
     std::optional<Mechanism> mechanism;
-    if (!hasErrors(diagnostics)) mechanism = buildMechanism(dataset, diagnostics);
+    if (!hasErrors(diagnostics)) mechanism = buildMechanism(dataset, diagnostics, getBuildOptions());
     if (!mechanism) throw std::runtime_error(path + "\n" + formatAll(diagnostics));
     return std::move(*mechanism);
 }

@@ -9,9 +9,19 @@
 
 namespace jprim {
 
-/// Makes a Simbody system of a dataset: every part a free body, rigid or flexible, every JPRIM and JOINT a set
-/// of primitives.
-/// Everything is converted to the mechanism's units on the way.
+/// How a dataset's joints are solved. Motion and reactions are the same but for rounding.
+enum class Formulation {
+    Tree,  ///< by joint coordinates on a spanning tree; equations where loops close or no mobilizer fits
+    Constraints  ///< all parts free, all joints equations, which can be switched off and on
+};
+
+struct BuildOptions {
+    Formulation formulation = Formulation::Tree;
+};
+
+/// Makes a Simbody system of a dataset. Parts hang on each other by mobilizers that stand for their JOINTs and
+/// JPRIMs; where a loop closes or no mobilizer fits, and in Formulation::Constraints everywhere, a JPRIM or
+/// JOINT is a set of primitives. Everything is converted to the mechanism's units on the way.
 ///
 /// Simbody cannot solve for a body without inertia. A part without mass gets MasslessFraction of the lightest
 /// part's mass, spread over the part's size; a part with mass but a vanishing moment of inertia
@@ -25,8 +35,10 @@ namespace jprim {
 ///
 /// @param      dataset      as read without errors
 /// @param[out] diagnostics  findings are appended
+/// @param      options      how to build it
 /// @returns the mechanism, or nothing if an error was found
-std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics);
+std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics,
+                                        const BuildOptions& options = {});
 
 /// See buildMechanism().
 constexpr double MasslessFraction = 1e-7;

@@ -26,11 +26,21 @@
 /// Mechanism::getLengthUnit().
 namespace jprim {
 
+/// How a part hangs in the tree of Simbody's mobilizers. Parts whose joints are all equations hang on ground by a
+/// Free, POINT_MASSes by a Translation.
+struct Attachment {
+    int parent = -1;                    ///< its place in Mechanism::getParts(); -1 is ground's own frame
+    std::string mobilizer = "Free";     ///< Simbody's word
+    bool reversed = false;              ///< the part carries marker J of the joint
+    std::vector<std::string> elements;  ///< the JOINT or JPRIMs that the mobilizer stands for
+};
+
 /// A PART, POINT_MASS or FLEX_BODY. Its body's frame has its origin at the mass centre and the axes of the part's body
 /// coordinate system (BCS), which for a FLEX_BODY are the mean axes of the deformation.
 struct MechanismPart {
     std::string name;  ///< "PART/3", "FLEX_BODY/3"
     SimTK::MobilizedBody body;
+    Attachment attachment;
     bool ground = false;
     bool turns = true;                     ///< false for a POINT_MASS, which has no rotations
     std::optional<FlexibleBody> flexible;  ///< of a FLEX_BODY
@@ -57,9 +67,11 @@ struct MechanismPart {
 /// A JPRIM or JOINT.
 struct Connection {
     std::string name;  ///< "JPRIM/12"
+    std::string type;  ///< "ATPOINT"
     int i = 0;         ///< marker ids
     int j = 0;
-    Joint joint;  ///< for a JPRIM, a bundle of one
+    /// Its constraints, for a JPRIM a bundle of one; empty where a mobilizer is in their place.
+    std::optional<Joint> joint;
 };
 
 /// A GCON, MOTION or COUPLER.
@@ -138,6 +150,12 @@ public:
     const std::vector<MechanismRequest>& getRequests() const { return m_requests; }
     const std::vector<MechanismSensor>& getSensors() const { return m_sensors; }
 
+    /// A State at the given poses of the parts, or where these do not fit a mobilizer at the nearest that do;
+    /// everything at rest. (The system's default State has all coordinates zero.) Realized to Stage::Model.
+    SimTK::State makeGivenState() const;
+    /// The pose X_FM of a part's mobilizer that goes with the given poses, whether it can take it or not.
+    SimTK::Transform calcGivenMobilizerPose(const SimTK::State& state, const MechanismPart& part) const;
+
     /// False if something may put energy in or take it out: damping, a force without a potential, a MOTION, a GCON
     /// that depends on time or is not satisfied at rest.
     bool isConservative() const;
@@ -189,7 +207,7 @@ private:
     std::vector<MechanismPart> m_parts;
     std::unordered_map<int, Marker> m_markers;
     std::vector<Connection> m_connections;
-    std::unordered_map<std::string, int> m_connectionIndex;
+    std::unordered_map<std::string, size_t> m_connectionLoad;  // its place among the load elements
     std::vector<Equation> m_equations;
     std::vector<MarkerForce> m_forces;
     std::vector<LoadElement> m_loadElements;

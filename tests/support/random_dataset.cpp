@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/random_dataset.h"
+
+#include <fmt/format.h>
+
+#include "jprim/marker/angles.h"
+
+namespace jprim::testing {
+
+using SimTK::Rotation;
+using SimTK::Transform;
+using SimTK::Vec3;
+
+/// A joint by its own name or by those of JPRIMs, and what it leaves free of I in J.
+struct RandomDataset::Joint {
+    enum class Turn { None, AboutZ, Any, CrossedZ, CrossedBars, InPlane };
+
+    const char* name;                 // of a JOINT; null if there is none
+    std::vector<const char*> jprims;  // empty if there are none
+    Turn turn;
+    Vec3 shift;  // 1 for each axis of J along which I is free
+};
+
+namespace {
+
+std::string format(const Vec3& v) {
+    return fmt::format("{},{},{}", v[0], v[1], v[2]);
+}
+
+}  // namespace
+
+Rotation RandomDataset::drawRotation() {
+    return Rotation(SimTK::BodyRotationSequence, draw(-3, 3), SimTK::XAxis, draw(-1.5, 1.5), SimTK::YAxis,
+                    draw(-3, 3), SimTK::ZAxis);
+}
+
+// Where I may be in J. Turns stay away from where two orientations of a joint meet.
+Transform RandomDataset::drawFit(const Joint& joint) {
+    const Rotation aboutZ(draw(-1.5, 1.5), SimTK::ZAxis);
+    Rotation R;
+    switch (joint.turn) {
+        case Joint::Turn::None: break;
+        case Joint::Turn::AboutZ: R = aboutZ; break;
+        case Joint::Turn::Any: R = drawRotation(); break;
+        case Joint::Turn::CrossedZ:
+            R = Rotation(draw(-3, 3), SimTK::ZAxis) * Rotation(SimTK::Pi / 2, SimTK::XAxis) * aboutZ;
+            break;
+        case Joint::Turn::CrossedBars:
+            R = Rotation(draw(-1, 1), SimTK::YAxis) * Rotation(draw(-1, 1), SimTK::XAxis);
+            break;
+        case Joint::Turn::InPlane: R = ~aboutZ * Rotation(draw(-1, 1), SimTK::XAxis) * aboutZ; break;
+    }
+    return Transform(R, drawVec3().elementwiseMultiply(joint.shift));
+}
+
+void RandomDataset::addPart() {
+    const int id = int(m_poses.size()) + 1;
+    m_poses.push_back(drawPose());
+    const double a = draw(0.1, 0.2), b = draw(0.1, 0.2), c = draw(0.1, 0.2);  // moments of three rods
+    m_text += fmt::format("PART/{},MASS={},IP={},{},{},CM={},QG={},REULER={}", id, draw(0.5, 3), a + b, b + c,
+                          c + a, m_lastMarker + 1, format(m_poses.back().p()),
+                          format(calcAngles313(m_poses.back().R())));
+    if (choose(3) == 0) m_text += fmt::format(",VX={},VZ={}", draw(-1, 1), draw(-1, 1));
+    if (choose(3) == 0) m_text += fmt::format(",WY={},VY={}", draw(-2, 2), draw(-1, 1));
+    m_text += "\n";
+    m_centers.push_back(addMarker(id, Transform(drawRotation(), 0.3 * drawVec3())));
+}
+
+int RandomDataset::addMarker(int part, const Transform& X_PM) {
+    m_text += fmt::format("MARKER/{},PART={},QP={},REULER={}\n", ++m_lastMarker, part, format(X_PM.p()),
+                          format(calcAngles313(X_PM.R())));
+    return m_lastMarker;
+}
+
+void RandomDataset::addJoint(const Joint& joint, int partI, int partJ) {
+    const Transform X_PJ(drawRotation(), 0.7 * drawVec3());
+    const Transform X_GI = m_poses[size_t(partJ) - 1] * X_PJ * drawFit(joint);
+    const int j = addMarker(partJ, X_PJ), i = addMarker(partI, ~m_poses[size_t(partI) - 1] * X_GI);
+    if (joint.name && (joint.jprims.empty() || choose(2) == 0)) {
+        m_text += fmt::format("JOINT/{},{},I={},J={}\n", ++m_lastElement, joint.name, i, j);
+        const std::string type = joint.name;
+        if (choose(4) == 0 && (type == "REVOLUTE" || type == "TRANSLATIONAL"))
+            m_text += fmt::format("MOTION/{0},JOINT={0},VELOCITY,FUNCTION={1}+SIN(TIME)\n", m_lastElement,
+                                  draw(-1, 1));
+        return;
+    }
+    bool isFirst = true;
+    for (const char* jprim : joint.jprims) {
+        const bool swapped = !isFirst && choose(2) == 0;  // rotational ones mean the same either way
+        m_text +=
+            fmt::format("JPRIM/{},{},I={},J={}\n", ++m_lastElement, jprim, swapped ? j : i, swapped ? i : j);
+        isFirst = false;
+    }
+}
+
+void RandomDataset::addForces() {
+    const int i = m_centers[size_t(choose(int(m_centers.size())))];
+    m_text += fmt::format(
+        "MARKER/9999,PART=1,FLOATING\nGFORCE/1,I={0},JFLOAT=9999,RM={0},FX={1}\\FY=-VY({0})\\TZ={2}\n", i,
+        draw(-2, 2), draw(-1, 1));
+}
+
+std::string RandomDataset::write(int parts, int loops) {
+    using Turn = Joint::Turn;
+    const Vec3 none(0), alongZ(0, 0, 1), inXy(1, 1, 0), all(1);
+    const Joint joints[] = {{"FIXED", {"ATPOINT", "ORIENTATION"}, Turn::None, none},
+                            {"REVOLUTE", {"ATPOINT", "PARALLEL_AXES"}, Turn::AboutZ, none},
+                            {"TRANSLATIONAL", {"INLINE", "ORIENTATION"}, Turn::None, alongZ},
+                            {"UNIVERSAL", {"ATPOINT", "PERPENDICULAR"}, Turn::CrossedZ, none},
+                            {"CYLINDRICAL", {"INLINE", "PARALLEL_AXES"}, Turn::AboutZ, alongZ},
+                            {"HOOKE", {}, Turn::CrossedBars, none},
+                            {"CONVEL", {}, Turn::InPlane, none},
+                            {"SPHERICAL", {"ATPOINT"}, Turn::Any, none},
+                            {"PLANAR", {"INPLANE", "PARALLEL_AXES"}, Turn::AboutZ, inXy},
+                            {nullptr, {"ORIENTATION"}, Turn::None, all},
+                            {nullptr, {"ORIENTATION", "INPLANE"}, Turn::None, inXy},
+                            {nullptr, {"INLINE"}, Turn::Any, alongZ},
+                            {nullptr, {"INPLANE"}, Turn::Any, inXy},
+                            {nullptr, {"PARALLEL_AXES"}, Turn::AboutZ, all},
+                            {nullptr, {"PERPENDICULAR"}, Turn::CrossedZ, all}};
+    const int numJoints = int(std::size(joints)), firstForLoops = 7;
+
+    m_text = "random\nPART/1,GROUND\n";
+    m_poses = {Transform()};
+    m_centers.clear();
+    m_text += fmt::format("ACCGRAV/IGRAV={},JGRAV={},KGRAV={}\n", draw(-9, 9), draw(-9, 9), draw(-9, 9));
+    for (int part = 2; part < parts + 2; ++part) {
+        addPart();
+        const int other = choose(part - 1) + 1;
+        const Joint& joint = joints[choose(numJoints)];
+        const bool carriesI = choose(2) == 0;
+        addJoint(joint, carriesI ? part : other, carriesI ? other : part);
+    }
+    for (int k = 0; k < loops; ++k) {
+        const int a = choose(parts) + 2;
+        const int b = (a + choose(parts)) % (parts + 1) + 1;  // another one, or ground
+        addJoint(joints[firstForLoops + choose(numJoints - firstForLoops)], a, b);
+    }
+    if (choose(2) == 0) addForces();
+    return m_text + "END\n";
+}
+
+}  // namespace jprim::testing

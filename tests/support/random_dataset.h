@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_TESTS_SUPPORT_RANDOM_DATASET_H_
+#define JPRIM_TESTS_SUPPORT_RANDOM_DATASET_H_
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "SimTKcommon.h"
+
+namespace jprim::testing {
+
+/// Writes datasets of parts that are joined at random: first a tree of joints, then joints that close loops. Parts
+/// lie anywhere in any orientation; the markers of a joint are placed so that it fits. In SI, sizes of order 1.
+class RandomDataset {
+public:
+    explicit RandomDataset(unsigned seed) : m_random(seed) {}
+
+    /// @param parts  besides ground
+    /// @param loops  joints more than a tree needs
+    std::string write(int parts, int loops);
+
+private:
+    struct Joint;
+
+    double draw(double from, double to) { return std::uniform_real_distribution<double>(from, to)(m_random); }
+    int choose(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }
+    SimTK::Vec3 drawVec3() { return {draw(-1, 1), draw(-1, 1), draw(-1, 1)}; }
+    SimTK::Rotation drawRotation();
+    SimTK::Transform drawPose() { return SimTK::Transform(drawRotation(), drawVec3()); }
+
+    void addPart();
+    int addMarker(int part, const SimTK::Transform& X_PM);
+    void addJoint(const Joint& joint, int partI, int partJ);
+    SimTK::Transform drawFit(const Joint& joint);
+    void addForces();
+
+    std::mt19937 m_random;
+    std::string m_text;
+    std::vector<SimTK::Transform> m_poses;  // of the parts, ground first
+    std::vector<int> m_centers;             // CM markers
+    int m_lastMarker = 0, m_lastElement = 0;
+};
+
+}  // namespace jprim::testing
+
+#endif
