@@ -49,6 +49,16 @@ void addCounts(const CheckReport& report, Json& json) {
     json["requests"] = d.requests.size();
 }
 
+void addTree(const TreeReport& tree, Json& json) {
+    json["tree"] = Json::array();
+    for (const TreeReport::Branch& branch : tree.branches)
+        json["tree"].push_back({{"part", branch.part},
+                                {"parent", branch.parent},
+                                {"mobilizer", branch.mobilizer},
+                                {"elements", branch.elements}});
+    json["solved_as_equations"] = tree.equations;
+}
+
 void addFreedoms(const ConstraintReport& c, Json& json) {
     json["degrees_of_freedom"] = c.getDegreesOfFreedom();
     json["redundant_equations"] = c.getNumRedundant();
@@ -101,6 +111,7 @@ void printJson(const CheckReport& report) {
     if (report.model.mechanism) {
         const UnitSystem& units = report.model.mechanism->getUnits();
         addCounts(report, json);
+        if (report.tree) addTree(*report.tree, json);
         json["equations"] = report.constraints.numEquations;
         json["gruebler_count"] = report.constraints.getGrueblerCount();
         if (report.assembled) addFreedoms(report.constraints, json);

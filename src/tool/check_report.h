@@ -22,7 +22,19 @@ struct AssemblyFailure {
     std::vector<FlippedAxes> flipped;
 };
 
-/// All that `jprim check` has to say, in the mechanism's units. A dataset with errors has a model without
+/// How `jprim run` would solve the mechanism by a tree.
+struct TreeReport {
+    struct Branch {
+        std::string part, parent;  ///< "PART/3"; the parent is "ground" of a part that no joint holds
+        std::string mobilizer;     ///< Simbody's word
+        std::vector<std::string> elements;  ///< that it stands for
+    };
+    std::vector<Branch> branches;
+    std::vector<std::string> equations;  ///< "JOINT/4 REVOLUTE": those that close loops or fit no mobilizer
+};
+
+/// All that `jprim check` has to say, in the mechanism's units. Counts and equations are those of all joints, also
+/// where a tree would do without them. A dataset with errors has a model without
 /// mechanism and nothing else; one that cannot be assembled a failure and no assembled State.
 struct CheckReport {
     Model model;
@@ -34,6 +46,7 @@ struct CheckReport {
     /// freedoms of a position that does not exist mean nothing.
     ConstraintReport constraints;
     std::optional<AssemblyFailure> failure;
+    std::optional<TreeReport> tree;  ///< of Formulation::Tree
 
     bool isUsable() const { return assembled.has_value(); }
 };

@@ -21,6 +21,7 @@ public:
           m_length(getLengthName(report.model.dataset)) {}
 
     void printCounts() const;
+    void printTree() const;
     void printGruebler() const;
     void printFreedoms() const;
     void printRedundant() const;
@@ -77,6 +78,20 @@ void Printer::printCounts() const {
                   parts.empty() ? std::to_string(sum) : fmt::format("{} ({})", sum, fmt::join(parts, ", ")));
     }
     printLine("requests", d.requests.size());
+}
+
+// "PART/3 on PART/2 by Pin: JOINT/2"
+void Printer::printTree() const {
+    if (!m_report.tree) return;
+    std::string label = "tree";
+    for (const TreeReport::Branch& branch : m_report.tree->branches) {
+        const std::string elements =
+            branch.elements.empty() ? "" : fmt::format(": {}", fmt::join(branch.elements, ", "));
+        printLine(std::exchange(label, ""),
+                  fmt::format("{} on {} by {}{}", branch.part, branch.parent, branch.mobilizer, elements));
+    }
+    label = "loops and other joints";
+    for (const std::string& element : m_report.tree->equations) printLine(std::exchange(label, ""), element);
 }
 
 void Printer::printGruebler() const {
@@ -145,6 +160,7 @@ void Printer::printFlipped() const {
 void printText(const CheckReport& report) {
     const Printer printer(report);
     printer.printCounts();
+    printer.printTree();
     printer.printGruebler();
     if (report.assembled) {
         printer.printFreedoms();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "jprim/base/diagnostic.h"
-#include "jprim/build/mechanism.h"
+#include "jprim/build/build_mechanism.h"
 #include "jprim/dataset/commands.h"
 
 namespace jprim::tool {
@@ -25,12 +25,14 @@ struct RunArguments {
     double dtout = 0;
     double accuracy = 1e-6;
     std::string integrator = "RungeKuttaMerson";
+    Formulation formulation = Formulation::Tree;
     std::string out;
     bool quiet = false;
 };
 
 struct CheckArguments {
     std::string model;
+    Formulation formulation = Formulation::Tree;
     bool json = false;
 };
 
@@ -56,7 +58,7 @@ struct Model {
 };
 
 /// Reads and builds a model, printing all its diagnostics to standard error.
-Model loadModel(const std::string& path);
+Model loadModel(const std::string& path, Formulation formulation);
 
 /// A command file and the model it names, as far as they could be loaded.
 struct LoadedCommands {
@@ -67,8 +69,9 @@ struct LoadedCommands {
 /// True of a name that ends in .acf, in any case.
 bool isCommandFile(const std::string& path);
 
-/// Reads a command file, and reads and builds its model, printing all diagnostics to standard error.
-LoadedCommands loadCommands(const std::string& path);
+/// Reads a command file, and reads and builds its model, printing all diagnostics to standard error. Commands
+/// that switch elements need Formulation::Constraints and get it.
+LoadedCommands loadCommands(const std::string& path, Formulation formulation);
 
 /// What a length is called in the dataset: "MILLIMETER", or "length units" where it names none.
 std::string getLengthName(const Dataset& dataset);

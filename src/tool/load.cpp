@@ -5,8 +5,8 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <variant>
 
-#include "jprim/build/build_mechanism.h"
 #include "jprim/dataset/read_dataset.h"
 #include "tool/commands.h"
 
@@ -27,10 +27,11 @@ std::string getLengthName(const Dataset& dataset) {
     return unnamed;
 }
 
-Model loadModel(const std::string& path) {
+Model loadModel(const std::string& path, Formulation formulation) {
     Model model;
     model.dataset = readDatasetFile(path, model.diagnostics);
-    if (!hasErrors(model.diagnostics)) model.mechanism = buildMechanism(model.dataset, model.diagnostics);
+    if (!hasErrors(model.diagnostics))
+        model.mechanism = buildMechanism(model.dataset, model.diagnostics, {formulation});
     for (const Diagnostic& diagnostic : model.diagnostics)
         fmt::print(stderr, "{}\n", formatDiagnostic(path, diagnostic));
     return model;
@@ -43,7 +44,7 @@ bool isCommandFile(const std::string& path) {
     return ending == ".acf";
 }
 
-LoadedCommands loadCommands(const std::string& path) {
+LoadedCommands loadCommands(const std::string& path, Formulation formulation) {
     LoadedCommands loaded;
     Diagnostics diagnostics;
     loaded.file = readCommandFile(path, diagnostics);
@@ -52,7 +53,10 @@ LoadedCommands loadCommands(const std::string& path) {
     if (hasErrors(diagnostics)) return loaded;
     std::filesystem::path model = std::filesystem::path(loaded.file.folder) / loaded.file.model;
     if (!model.has_extension()) model += ".adm";
-    loaded.model = loadModel(model.string());
+    const auto switches = [](const Command& command) { return std::holds_alternative<ActivateCommand>(command); };
+    if (std::any_of(loaded.file.commands.begin(), loaded.file.commands.end(), switches))
+        formulation = Formulation::Constraints;
+    loaded.model = loadModel(model.string(), formulation);
     return loaded;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 
 #include "jprim/base/units.h"
 #include "jprim/simulation/simulate.h"
@@ -35,6 +36,17 @@ CLI::Validator makeUnitCheck(jprim::Quantity quantity) {
 const CLI::Validator PositiveTime = makeRange(0, 1e100, "a positive time");
 const CLI::Validator Accuracy = makeRange(0, 0.1, "between 0 and 0.1");
 
+void addFormulation(CLI::App& command, jprim::Formulation& formulation) {
+    static const std::map<std::string, jprim::Formulation> names = {
+        {"tree", jprim::Formulation::Tree}, {"constraints", jprim::Formulation::Constraints}};
+    command
+        .add_option("--formulation", formulation,
+                    "How joints are solved: as coordinates of a tree where they can (tree), or all as "
+                    "equations (constraints)")
+        ->transform(CLI::CheckedTransformer(names).description("{tree,constraints}"))
+        ->default_str("tree");
+}
+
 void addRunOptions(CLI::App& command, RunArguments& arguments) {
     command.add_option("MODEL", arguments.model, "Adams/Solver dataset (.adm) or command file (.acf)")
         ->required();
@@ -60,12 +72,14 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
     command.add_option("--integrator", arguments.integrator, "Simbody's integrator")
         ->check(CLI::IsMember(jprim::getIntegratorNames()))
         ->capture_default_str();
+    addFormulation(command, arguments.formulation);
     command.add_option("--out", arguments.out, "Folder for requests.csv, reactions.csv and parts.csv");
     command.add_flag("--quiet", arguments.quiet, "Print errors and warnings only");
 }
 
 void addCheckOptions(CLI::App& command, CheckArguments& arguments) {
     command.add_option("MODEL", arguments.model, "Adams/Solver dataset (.adm)")->required();
+    addFormulation(command, arguments.formulation);
     command.add_flag("--json", arguments.json, "Print the report as JSON");
 }
 

@@ -104,7 +104,7 @@ void printResultsLine(const RunArguments& arguments) {
 }
 
 ExitCode runDataset(const RunArguments& arguments) {
-    const Model model = loadModel(arguments.model);
+    const Model model = loadModel(arguments.model, arguments.formulation);
     if (!model.mechanism) return DatasetHasErrors;
     SimulationOutcome outcome;
     try {
@@ -124,7 +124,7 @@ ExitCode runDataset(const RunArguments& arguments) {
 }
 
 ExitCode runCommandFile(const RunArguments& arguments) {
-    const LoadedCommands loaded = loadCommands(arguments.model);
+    const LoadedCommands loaded = loadCommands(arguments.model, arguments.formulation);
     if (!loaded.model.mechanism) return DatasetHasErrors;
     RunArguments used = arguments;
     if (used.out.empty()) used.out = loaded.file.output;

@@ -95,6 +95,27 @@ TEST_F(Tool, CheckNamesRedundantEquations) {
     EXPECT_EQ(json["moved"].size(), 3u);
 }
 
+// The counts are those of all joints, whichever of them are in the tree.
+TEST_F(Tool, CheckPrintsTheTree) {
+    const std::string model = write("fb.adm", makeFourBar(2000, 10));
+    expectLines(run("check " + model).out,
+                {"tree                    PART/2 on PART/1 by Pin: JPRIM/1, JPRIM/2\n"
+                 "                        PART/3 on PART/2 by Pin: JOINT/2\n"
+                 "                        PART/4 on PART/1 by Pin: JOINT/4\n"
+                 "loops and other joints  JOINT/3 REVOLUTE\n"});
+    const Json json = Json::parse(run("check --json " + model).out);
+    EXPECT_EQ(
+        json["tree"][1],
+        Json({{"part", "PART/3"}, {"parent", "PART/2"}, {"mobilizer", "Pin"}, {"elements", {"JOINT/2"}}}));
+    EXPECT_EQ(json["solved_as_equations"], Json({"JOINT/3 REVOLUTE"}));
+    EXPECT_EQ(json["redundant_equations"], 3);
+
+    const Json constraints = Json::parse(run("check --json --formulation constraints " + model).out);
+    EXPECT_FALSE(constraints.contains("tree"));
+    EXPECT_EQ(constraints["equations"], json["equations"]);
+    EXPECT_EQ(run("check --formulation both " + model).exitCode, 2);
+}
+
 TEST_F(Tool, CheckTellsASingularPosition) {
     const std::string model = write("flat.adm", makeFourBar(2000, 0));
     const Outcome text = run("check " + model);

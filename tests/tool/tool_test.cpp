@@ -6,8 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -193,6 +195,31 @@ TEST_F(Tool, OutputThatIsLostFailsWith1) {
     const int status =
         std::system((std::string(JPRIM_TOOL) + " check " + model + " >/dev/full 2>/dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
+// The same reactions to the digits that both integrations share.
+TEST_F(Tool, RunOffersBothFormulations) {
+    const std::string model = write(
+        "p.adm",
+        "t\nACCGRAV/KGRAV=-9.81\nPART/1,GROUND\nMARKER/10,REULER=180D,90D,180D\nPART/2,MASS=1,CM=20,IP=1,2,3\n"
+        "MARKER/20,QP=2,0,0\nMARKER/21,REULER=180D,90D,180D\nJOINT/1,REVOLUTE,I=10,J=21\nEND\n");
+    std::vector<std::vector<double>> rows;
+    for (const std::string formulation : {"tree", "constraints"}) {
+        const fs::path out = m_folder / formulation;
+        ASSERT_EQ(run("run " + model + " --end 1 --steps 1 --accuracy 1e-9 --quiet --formulation " +
+                      formulation + " --out " + out.string())
+                      .exitCode,
+                  0);
+        std::string text = readFile(out / "reactions.csv");
+        text.erase(0, text.rfind('\n', text.size() - 2));
+        std::replace(text.begin(), text.end(), ',', ' ');
+        std::istringstream numbers(text);
+        rows.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
+    }
+    ASSERT_EQ(rows[0].size(), 13u);  // time, and six on either marker
+    ASSERT_EQ(rows[1].size(), 13u);
+    for (size_t k = 0; k < rows[0].size(); ++k) EXPECT_NEAR(rows[0][k], rows[1][k], 1e-6) << k;
+    EXPECT_GT(std::abs(rows[0][1]), 1);
 }
 
 }  // namespace
