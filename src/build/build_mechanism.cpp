@@ -149,24 +149,39 @@ void MechanismBuilder::addConnections() {
     }
 }
 
-// Its equations, unless a mobilizer is in their place.
+// Its equations, unless a mobilizer is in their place, or the tree leaves them nothing to do.
 template <class Statement, class Make>
 void MechanismBuilder::addConnection(const char* keyword, const Statement& s, const Make& makeEquations) {
     const std::string name = fmt::format("{}/{}", keyword, s.id);
-    Connection connection{name, getAdamsName(s.type), s.i, s.j, {}};
-    const auto inTree = m_inTree.find(name);
+    Connection connection{name, getAdamsName(s.type), s.i, s.j, false, {}};
     m_mechanism.m_connectionLoad[name] = m_mechanism.m_loadElements.size();
+    const auto inTree = m_inTree.find(name);
+    connection.inTree = inTree != m_inTree.end();
     attempt(name, s.where, [&] {
-        if (inTree != m_inTree.end())
+        if (connection.inTree)
             addLoadElement(makeTreeLoad(s.i, s.j, inTree->second));
         else {
-            const Joint joint = makeEquations(name);
-            connection.joint = joint;
-            addLoadElement({name, s.i, s.j, [joint](const State& t) { return joint.calcReactionOnI(t); },
-                            [joint](const State& t) { return joint.calcReactionOnJ(t); }, true});
+            const LoopEquations left =
+                m_planarLoops.isPlanar(s.i, s.j) ? findLoopEquations(s.type) : LoopEquations::All;
+            if (left == LoopEquations::All) connection.joint = makeEquations(name);
+            if (left == LoopEquations::InLine)
+                connection.joint = makeConnection(JprimType::InLine, m_mechanism.getMarker(s.i),
+                                                  m_mechanism.getMarker(s.j), name);
+            addLoadElement(makeLoad(connection));
         }
         m_mechanism.m_connections.push_back(connection);
     });
+}
+
+LoadElement MechanismBuilder::makeLoad(const Connection& c) {
+    const LoadFunction none = [](const State&) { return SimTK::SpatialVec(Vec3(0), Vec3(0)); };
+    if (!c.joint) return {c.name, c.i, c.j, none, none, true};
+    return {c.name,
+            c.i,
+            c.j,
+            [joint = *c.joint](const State& s) { return joint.calcReactionOnI(s); },
+            [joint = *c.joint](const State& s) { return joint.calcReactionOnJ(s); },
+            true};
 }
 
 LoadElement MechanismBuilder::makeTreeLoad(int i, int j, const TreePlace& place) const {

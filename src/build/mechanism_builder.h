@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "build/function_writer.h"
+#include "build/planar_loops.h"
 #include "build/tree_plan.h"
 #include "jprim/base/diagnostic.h"
 #include "jprim/base/error.h"
@@ -23,7 +24,10 @@ public:
     MechanismBuilder(const Dataset& dataset, Diagnostics& diagnostics, const BuildOptions& options)
         : m_dataset(dataset),
           m_diagnostics(diagnostics),
-          m_plan(options.formulation == Formulation::Tree ? planTree(dataset) : planFreeParts(dataset)) {}
+          m_plan(options.formulation == Formulation::Tree ? planTree(dataset) : planFreeParts(dataset)),
+          m_planarLoops(
+              m_plan, [this](int marker) { return getMarkerPose(marker); },
+              [this](int marker) { return m_ownerOfMarker.at(marker); }) {}
 
     std::optional<Mechanism> build() {
         m_mechanism.m_title = m_dataset.title;
@@ -93,6 +97,7 @@ private:
     void addConnections();
     template <class Statement, class Make>
     void addConnection(const char* keyword, const Statement& statement, const Make& makeEquations);
+    static LoadElement makeLoad(const Connection& connection);
     LoadElement makeTreeLoad(int i, int j, const TreePlace& place) const;
     Joint makeJoint(const JointStatement& statement, const std::string& name) const;
     void addEquations();
@@ -149,6 +154,7 @@ private:
     const Dataset& m_dataset;
     Diagnostics& m_diagnostics;
     const TreePlan m_plan;
+    const PlanarLoops m_planarLoops;
     bool m_failed = false;
     Mechanism m_mechanism;
     std::unordered_map<int, SimTK::Transform> m_markerPoses;  // in the part's BCS, undeformed

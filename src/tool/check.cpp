@@ -63,7 +63,7 @@ TreeReport makeTree(const Dataset& dataset) {
         tree.branches.push_back({part.name, parent, a.mobilizer, a.elements});
     }
     for (const Connection& connection : mechanism->getConnections())
-        if (connection.joint) tree.equations.push_back(connection.joint->getDescription());
+        if (!connection.inTree) tree.equations.push_back(connection.name + " " + connection.type);
     return tree;
 }
 

@@ -70,7 +70,9 @@ struct Connection {
     std::string type;  ///< "ATPOINT"
     int i = 0;         ///< marker ids
     int j = 0;
-    /// Its constraints, for a JPRIM a bundle of one; empty where a mobilizer is in their place.
+    bool inTree = false;  ///< a mobilizer is in its place
+    /// Its constraints, for a JPRIM a bundle of one. Empty if it is in the tree; in a loop that the tree keeps in a
+    /// plane only what is not redundant: an INLINE of a hinge or ball, nothing of PARALLEL_AXES, INPLANE or PLANAR.
     std::optional<Joint> joint;
 };
 
