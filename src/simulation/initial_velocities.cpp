@@ -166,11 +166,11 @@ SpatialVec findGivenVelocity(const MechanismPart& part, const State& state) {
 }
 
 // The speeds that come nearest to the velocities given, each joint by itself.
-Vector fitGivenVelocities(const Mechanism& mechanism, State& state) {
+Vector fitGivenVelocities(const Mechanism& mechanism, const State& state) {
     SimTK::Vector_<SpatialVec> V(mechanism.getMatter().getNumBodies(), SpatialVec(Vec3(0), Vec3(0)));
     for (const MechanismPart& part : mechanism.getParts())
         if (!part.ground) V[part.body.getMobilizedBodyIndex()] = findGivenVelocity(part, state);
-    State fitted = state;
+    State fitted = state;  // fitting makes a State forget its positions
     mechanism.getSystem().realize(fitted, SimTK::Stage::Position);
     for (const MechanismPart& part : mechanism.getParts()) {
         if (part.ground) continue;

@@ -60,7 +60,8 @@ protected:
             fmt::format("t\nPART/1,GROUND\nMARKER/10,QP={}\nPART/2,MASS=2,CM=20,IP=2,3,4,QG={}\n"
                         "MARKER/20,QP=0.4,0.1,-0.2\nMARKER/21,QP={}\n{}/1,{},I={},J={}\nEND\n",
                         format(onGround), format(X_GP), format(onPart), isJprim ? "JPRIM" : "JOINT",
-                        c.statement, reversed ? 10 : 21, reversed ? 21 : 10));
+                        c.statement, reversed ? 10 : 21, reversed ? 21 : 10),
+            {Formulation::Tree});
     }
 };
 
@@ -105,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(Joints, Mobilizers,
 TEST(Mobilizer, CoordinatesAreAdams) {
     const Mechanism mechanism = testing::buildOrFail(
         "t\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=2,3,4,QG=0,0,0.25,REULER=0.5,0,0\n"
-        "MARKER/20\nMARKER/21\nJOINT/1,CYLINDRICAL,I=10,J=21\nEND\n");
+        "MARKER/20\nMARKER/21\nJOINT/1,CYLINDRICAL,I=10,J=21\nEND\n",
+        {Formulation::Tree});
     const SimTK::State state = mechanism.makeGivenState();
     EXPECT_NEAR(state.getQ()[0], -0.5, Rounding);
     EXPECT_NEAR(state.getQ()[1], -0.25, Rounding);

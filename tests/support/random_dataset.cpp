@@ -93,6 +93,23 @@ void RandomDataset::addJoint(const Joint& joint, int partI, int partJ) {
     }
 }
 
+// Two points stay as far apart as they are.
+void RandomDataset::addDistance(int partI, int partJ) {
+    const Vec3 onI = drawVec3(), onJ = drawVec3();
+    const int i = addMarker(partI, onI), j = addMarker(partJ, onJ);
+    const Vec3 r = m_poses[size_t(partI) - 1] * onI - m_poses[size_t(partJ) - 1] * onJ;
+    m_text += fmt::format("GCON/{0},I={1},FUNCTION=DM({1},{2})-{3}\n", ++m_lastElement, i, j, r.norm());
+}
+
+// Of the last two markers, relative to each other and in the axes of another; and all loads on the first centre.
+void RandomDataset::addRequests() {
+    const int i = m_lastMarker, j = m_lastMarker - 1, rm = choose(m_lastMarker) + 1;
+    int id = 0;
+    for (const char* type : {"DISPLACEMENT", "VELOCITY", "ACCELERATION", "FORCE"})
+        m_text += fmt::format("REQUEST/{},{},I={},J={},RM={}\n", ++id, type, i, j, rm);
+    m_text += fmt::format("REQUEST/{},F2=AX({},{})\\F3=ACCX({})\\F4=FZ({},{},{})\n", ++id, i, j, i, i, j, rm);
+}
+
 void RandomDataset::addForces() {
     const int i = m_centers[size_t(choose(int(m_centers.size())))];
     m_text += fmt::format(
@@ -134,8 +151,13 @@ std::string RandomDataset::write(int parts, int loops) {
     for (int k = 0; k < loops; ++k) {
         const int a = choose(parts) + 2;
         const int b = (a + choose(parts)) % (parts + 1) + 1;  // another one, or ground
-        addJoint(joints[firstForLoops + choose(numJoints - firstForLoops)], a, b);
+        const int joint = firstForLoops + choose(numJoints - firstForLoops + 1);
+        if (joint < numJoints)
+            addJoint(joints[joint], a, b);
+        else
+            addDistance(a, b);
     }
+    addRequests();
     if (choose(2) == 0) addForces();
     return m_text + "END\n";
 }

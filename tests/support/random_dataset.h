@@ -33,7 +33,9 @@ private:
     int addMarker(int part, const SimTK::Transform& X_PM);
     void addJoint(const Joint& joint, int partI, int partJ);
     SimTK::Transform drawFit(const Joint& joint);
+    void addDistance(int partI, int partJ);
     void addForces();
+    void addRequests();
 
     std::mt19937 m_random;
     std::string m_text;
