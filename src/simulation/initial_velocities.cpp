@@ -132,7 +132,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& GS, const Eigen::VectorXd& b, const
 
 // S, see above; its rows are those of u, its columns those of the speeds of parts.
 Eigen::MatrixXd calcS(const Mechanism& mechanism, const State& state) {
-    Matrix J;  // [w, v] of each body
+    SimTK::Matrix J;  // [w, v] of each body
     mechanism.getMatter().calcSystemJacobian(state, J);
     std::vector<Eigen::Index> rows, speeds;
     std::vector<double> weights;
