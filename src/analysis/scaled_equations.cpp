@@ -15,6 +15,8 @@ using SimTK::State;
 
 namespace {
 
+constexpr double Rounding = 1e-12;
+
 // The size of one unit of each speed: the angular velocity that it is, or else the velocity.
 struct Mobilities {
     VectorXd angular, linear;
@@ -39,10 +41,14 @@ struct RowSizes {
     VectorXd turn, shift;
 };
 
+// What is left of a shift by rounding does not count: in a tree of hinges even a point's path feels turns alone.
 RowSizes measureRows(const MatrixXd& G, const Mobilities& sizes) {
     const auto invert = [](double size) { return size > 0 ? 1 / size : 0; };
-    return {(G * sizes.angular.unaryExpr(invert).asDiagonal()).rowwise().norm(),
-            (G * sizes.linear.unaryExpr(invert).asDiagonal()).rowwise().norm()};
+    RowSizes rows{(G * sizes.angular.unaryExpr(invert).asDiagonal()).rowwise().norm(),
+                  (G * sizes.linear.unaryExpr(invert).asDiagonal()).rowwise().norm()};
+    for (int i = 0; i < rows.shift.size(); ++i)
+        if (rows.shift[i] <= Rounding * rows.turn[i]) rows.shift[i] = 0;
+    return rows;
 }
 
 // The root mean square of all levers: what an equation says about a turn by what it says about a shift.
@@ -67,7 +73,6 @@ ScaledEquations::ScaledEquations(const SimbodyMatterSubsystem& matter,
     const VectorXd sizes = (rows.shift.array() > 0).select(calcLength(rows) * rows.shift, rows.turn);
     m_rowScale = sizes.unaryExpr(invert);
     // A column of nothing but rounding errors must not be made as long as the others.
-    constexpr double Rounding = 1e-12;
     const VectorXd columns = (m_rowScale.asDiagonal() * G).colwise().norm().transpose();
     const double noise = columns.size() > 0 ? Rounding * columns.maxCoeff() : 0;
     m_columnScale = columns.unaryExpr([noise](double size) { return size > noise ? 1 / size : 1; });
