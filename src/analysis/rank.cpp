@@ -63,7 +63,7 @@ RankDecision decideRank(const std::vector<double>& values) {
     constexpr double AlwaysKept = 1e-4, Zero = 1e-14;
     RankDecision decision;
     double widest = 0;
-    for (size_t r = 1; r <= values.size(); ++r) {
+    for (size_t r = 1; r <= values.size() && values[r - 1] > Zero; ++r) {
         const double dropped = r < values.size() ? values[r] : 0;
         const double ratio = values[r - 1] / std::max(dropped, Zero);
         if (dropped > AlwaysKept || ratio <= widest) continue;

@@ -15,7 +15,8 @@ using SimTK::State;
 
 namespace {
 
-constexpr double Rounding = 1e-12;
+// Rounding errors, of what they are beside; and an equation that a turn of 1 rad or a shift of 1 does not change.
+constexpr double Rounding = 1e-12, Nothing = 1e-14;
 
 // The size of one unit of each speed: the angular velocity that it is, or else the velocity.
 struct Mobilities {
@@ -67,15 +68,16 @@ double calcLength(const RowSizes& rows) {
 ScaledEquations::ScaledEquations(const SimbodyMatterSubsystem& matter,
                                  std::vector<ConstraintEquation> equations, const State& state)
     : m_matter(matter), m_equations(std::move(equations)) {
-    const auto invert = [](double size) { return size > 0 ? 1 / size : 1; };
     const MatrixXd G = calcUnscaledJacobian(state);
     const RowSizes rows = measureRows(G, measureMobilities(matter, state));
     const VectorXd sizes = (rows.shift.array() > 0).select(calcLength(rows) * rows.shift, rows.turn);
-    m_rowScale = sizes.unaryExpr(invert);
-    // A column of nothing but rounding errors must not be made as long as the others.
-    const VectorXd columns = (m_rowScale.asDiagonal() * G).colwise().norm().transpose();
-    const double noise = columns.size() > 0 ? Rounding * columns.maxCoeff() : 0;
-    m_columnScale = columns.unaryExpr([noise](double size) { return size > noise ? 1 / size : 1; });
+    // Rows and columns of nothing but rounding errors must not be made as long as the others.
+    const auto invert = [](const VectorXd& lengths) -> VectorXd {
+        const double noise = lengths.size() > 0 ? std::max(Nothing, Rounding * lengths.maxCoeff()) : 0;
+        return lengths.unaryExpr([noise](double size) { return size > noise ? 1 / size : 1; });
+    };
+    m_rowScale = invert(sizes);
+    m_columnScale = invert((m_rowScale.asDiagonal() * G).colwise().norm().transpose());
 }
 
 void ScaledEquations::realize(const State& state) const {

@@ -63,9 +63,11 @@ void MarkerExpression::setInputs(const State& state, Evaluation& evaluation, Inp
             evaluation.setScalarInput(int(k), {scalarInputs[k](state), 0, 0});
 }
 
-// An axis x turns with w: d(g.x)/dt = g.(w x x) = (x x g).w
+// An axis x turns with w: d(g.x)/dt = g.(w x x) = (x x g).w. Where x is along g nothing changes; rounding errors
+// left in the place of nothing would, as the only equation of a hinge, hold it.
 SpatialVec MarkerExpression::getDirection(const Evaluation& evaluation, const MarkerMotion* motions,
                                           int marker) const {
+    constexpr Real Rounding = 1e-14;
     const bool ofVelocity = program.getLevel() == InputLevel::Velocity;
     SpatialVec direction(Vec3(0), Vec3(0));
     for (size_t k = 0; k < vectorInputs.size(); ++k) {
@@ -80,8 +82,10 @@ SpatialVec MarkerExpression::getDirection(const Evaluation& evaluation, const Ma
             continue;
         else if (quantity == MarkerQuantity::Origin)
             direction[1] += g / units.length;
-        else
-            direction[0] += Vec3(motions[marker].X.R()(getAxis(quantity))) % g;
+        else {
+            const Vec3 turn = Vec3(motions[marker].X.R()(getAxis(quantity))) % g;
+            if (turn.norm() > Rounding * g.norm()) direction[0] += turn;
+        }
     }
     return direction;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "jprim/base/error.h"
 #include "simulation/stepper.h"
 
@@ -39,23 +42,37 @@ const IntegratorEntry& findEntry(const std::string& name) {
 
 class Integration : public Stepper {
 public:
-    Integration(std::unique_ptr<Integrator> integrator, const State& initial)
-        : m_integrator(std::move(integrator)) {
+    Integration(const Mechanism& mechanism, std::unique_ptr<Integrator> integrator, const State& initial)
+        : m_mechanism(mechanism), m_integrator(std::move(integrator)) {
         m_integrator->initialize(initial);
     }
 
     const State& getState() const override { return m_integrator->getState(); }
     int getNumSteps() const override { return m_integrator->getNumStepsTaken(); }
     void step(Real time) override {
-        if (m_integrator->stepTo(time, time) == Integrator::EndOfSimulation)
+        m_mechanism.getSystem().realize(getState(), SimTK::Stage::Acceleration);
+        const Real end = std::min(time, getState().getTime() + calcTimeOfARadian(m_mechanism, getState()));
+        if (m_integrator->stepTo(end, end) == Integrator::EndOfSimulation)
             throw Error("integrator", "ended before its time");
     }
 
 private:
+    const Mechanism& m_mechanism;
     std::unique_ptr<Integrator> m_integrator;
 };
 
 }  // namespace
+
+Real calcTimeOfARadian(const Mechanism& mechanism, const State& state) {
+    Real w = 0, a = 0;
+    for (const MechanismPart& part : mechanism.getParts()) {
+        if (part.ground) continue;
+        w = std::max(w, part.body.getBodyAngularVelocity(state).norm());
+        a = std::max(a, part.body.getBodyAngularAcceleration(state).norm());
+    }
+    const Real rate = w + std::sqrt(w * w + 2 * a);
+    return rate > 0 ? 2 / rate : SimTK::Infinity;
+}
 
 std::vector<std::string> getIntegratorNames() {
     std::vector<std::string> names;
@@ -75,7 +92,7 @@ std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const State
     integrator->setConstraintTolerance(options.accuracy / 10);
     integrator->setAllowInterpolation(false);
     integrator->setReturnEveryInternalStep(everyStep);
-    return std::make_unique<Integration>(std::move(integrator), initial);
+    return std::make_unique<Integration>(mechanism, std::move(integrator), initial);
 }
 
 }  // namespace jprim

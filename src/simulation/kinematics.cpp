@@ -4,6 +4,8 @@
 // not jump to another of its configurations.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "jprim/base/error.h"
 #include "simulation/stepper.h"
 
@@ -30,10 +32,11 @@ public:
     int getNumSteps() const override { return m_numSteps; }
 
     void step(Real time) override {
-        Real h = time - m_state.getTime();
+        const Real whole = time - m_state.getTime();
+        Real h = std::min(whole, calcTimeOfARadian(m_mechanism, m_state));
         for (int k = 0; k < MostHalvings; ++k, h /= 2) {
             State next = m_state;
-            next.updTime() = k == 0 ? time : m_state.getTime() + h;
+            next.updTime() = h == whole ? time : m_state.getTime() + h;
             if (!tryStep(h, next)) continue;
             next.autoUpdateDiscreteVariables();
             m_state = next;

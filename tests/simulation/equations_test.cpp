@@ -97,11 +97,12 @@ TEST_P(Equations, ThreeOfThemAreAnAtpoint) {
 }
 
 // The guard that the manual advises for PARALLEL_AXES has no gradient where it holds: it takes nothing away.
+// (In a tree it would be the only equation, and Simbody cannot solve for nothing but vanishing ones.)
 TEST_P(Equations, AGuardOfParallelAxesIsRedundant) {
     const auto run = [this](const std::string& guard) {
         const std::string text =
             makePendulum(u, "JPRIM/1,ATPOINT,I=21,J=10\nJPRIM/2,PARALLEL_AXES,I=21,J=10\n" + guard);
-        return testing::run(buildOrFail(text), 2 * u.s, 10, 1e-10);
+        return testing::run(buildOrFail(text, {Formulation::Constraints}), 2 * u.s, 10, 1e-10);
     };
     const SimulationOutcome with = run("GCON/1,FUNCTION=UVZ(21)*UVZ(10)-1\n"), without = run("");
     EXPECT_EQ(with.summary.degreesOfFreedom, 1);
