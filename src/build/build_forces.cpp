@@ -40,7 +40,7 @@ void MechanismBuilder::addSforce(const SforceStatement& s) {
         const Expression load = write([&](FunctionWriter& w) {
             const Operand size = w.scale(getForceUnit(s.rotational), w.scalar(s.function));
             const bool alongZ = s.rotational || s.actionOnly;
-            const Operand direction = alongZ ? w.updFrames().axis(s.j, 2) : w.direction(s.i, s.j);
+            const Operand direction = alongZ ? w.updFrames().axis(s.j, 2) : w.updFrames().direction(s.i, s.j);
             return w.updBuilder().multiply(size, direction);
         });
         ForceLaw law;
@@ -87,7 +87,7 @@ void MechanismBuilder::addSpringdamper(const SpringdamperStatement& s) {
     const auto rate = [&s](FunctionWriter& w) {
         MarkerFrames& f = w.updFrames();
         if (s.rotational) return f.along(f.angularVelocity(s.i, s.j), s.j, 2);
-        return w.updBuilder().multiply(f.velocity(s.i, s.j, 0), w.direction(s.i, s.j));
+        return f.radialVelocity(s.i, s.j, 0);
     };
     attempt(name, s.where, [&] {
         ForceLaw law;
@@ -95,7 +95,8 @@ void MechanismBuilder::addSpringdamper(const SpringdamperStatement& s) {
             ProgramBuilder& b = w.updBuilder();
             Operand load = b.subtract(b.number(s.preload), w.scale(s.stiffness, stretch(w)));
             if (s.damping != 0) load = b.subtract(load, w.scale(s.damping, rate(w)));
-            const Operand direction = s.rotational ? w.updFrames().axis(s.j, 2) : w.direction(s.i, s.j);
+            const Operand direction =
+                s.rotational ? w.updFrames().axis(s.j, 2) : w.updFrames().direction(s.i, s.j);
             return b.multiply(w.scale(getForceUnit(s.rotational), load), direction);
         });
         law.potential = write([&](FunctionWriter& w) {
@@ -114,11 +115,7 @@ void MechanismBuilder::addSpringdamper(const SpringdamperStatement& s) {
 void MechanismBuilder::addBushing(const BushingStatement& s) {
     const std::string name = fmt::format("BUSHING/{}", s.id);
     const auto angle = [&s](FunctionWriter& w, int axis) {
-        MarkerFrames& f = w.updFrames();
-        ProgramBuilder& b = w.updBuilder();
-        if (axis == 2) return f.angleAboutZ(s.i, s.j);
-        const Operand sine = axis == 0 ? b.negate(f.element(s.i, s.j, 1, 2)) : f.element(s.i, s.j, 0, 2);
-        return b.continuousAngle(sine, f.element(s.i, s.j, 2, 2));
+        return w.updFrames().projectedAngle(s.i, s.j, axis);
     };
     const auto position = [&s](FunctionWriter& w, int axis) {
         return w.updFrames().along(w.updFrames().position(s.i, s.j), s.j, axis);

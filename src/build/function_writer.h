@@ -32,8 +32,6 @@ public:
     Operand vector(const ExpressionText& function) { return compile(function, true); }
 
     Operand scale(SimTK::Real factor, Operand a) { return m_builder.multiply(m_builder.number(factor), a); }
-    /// The unit vector from marker j to marker i; zero where they coincide.
-    Operand direction(int i, int j) { return m_builder.normalize(m_frames.position(i, j)); }
     /// The vector whose components in the axes of a marker are those of v.
     Operand fromAxesOf(int marker, Operand v);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "jprim/base/error.h"
+#include "marker/require_on_body.h"
 
 namespace jprim {
 
@@ -39,10 +40,8 @@ MarkerForceImpl::MarkerForceImpl(SimTK::GeneralForceSubsystem& forces, const Mar
       m_force(take(law.force, true, "force", name)),
       m_moment(take(law.moment, true, "moment", name)),
       m_potential(take(law.potential, false, "potential", name)) {
-    if (!I.isOnBody() || (J && !J->isOnBody()))
-        throw Error(name,
-                    "a marker is not on a body; construct it with a MobilizedBody that has been added to a "
-                    "matter subsystem");
+    requireOnBody(I, "a marker", name);
+    if (J) requireOnBody(*J, "a marker", name);
 }
 
 void MarkerForceImpl::realizeTopology(State& state) const {

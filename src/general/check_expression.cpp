@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "jprim/base/error.h"
+#include "marker/require_on_body.h"
 
 namespace jprim {
 
@@ -30,11 +31,7 @@ SimbodyMatterSubsystem& findMatter(const MarkerExpression& expression, const std
     const std::string problem = findEquationProblem(expression);
     if (!problem.empty()) throw Error(element, problem);
     for (size_t k = 0; k < expression.markers.size(); ++k) {
-        if (!expression.markers[k].isOnBody())
-            throw Error(element,
-                        fmt::format("marker {} is not on a body; construct it with a MobilizedBody that "
-                                    "has been added to a matter subsystem",
-                                    expression.markerIds[k]));
+        requireOnBody(expression.markers[k], fmt::format("marker {}", expression.markerIds[k]), element);
         if (&expression.markers[k].getBody().getMatterSubsystem() !=
             &expression.markers[0].getBody().getMatterSubsystem())
             throw Error(element,

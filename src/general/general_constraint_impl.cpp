@@ -8,6 +8,7 @@
 
 #include "general/check_expression.h"
 #include "jprim/base/error.h"
+#include "marker/cache_entry.h"
 
 namespace jprim {
 
@@ -29,13 +30,6 @@ const SpatialVec Nothing(Vec3(0), Vec3(0));
 
 int findEquationLevel(const MarkerExpression& coordinate, int derivative) {
     return (coordinate.program.getLevel() == InputLevel::Velocity ? 1 : 0) + derivative;
-}
-
-// Allocated by us and valid from its stage on, see realizePosition() and realizeVelocity(); SimTK's checks
-// would cost more than the equation.
-template <class T>
-T& updEntry(const State& state, SimTK::SubsystemIndex subsystem, SimTK::CacheEntryIndex index) {
-    return static_cast<Value<T>&>(state.updCacheEntry(subsystem, index)).upd();
 }
 
 }  // namespace

@@ -80,8 +80,19 @@ Operand MarkerFrames::element(int i, int j, int row, int column) {
     return m_builder.multiply(axis(j, row), axis(i, column));
 }
 
-Operand MarkerFrames::angleAboutZ(int i, int j) {
-    return m_builder.continuousAngle(element(i, j, 1, 0), element(i, j, 0, 0));
+Operand MarkerFrames::direction(int i, int j) {
+    return m_builder.normalize(position(i, j));
+}
+
+Operand MarkerFrames::radialVelocity(int i, int j, int l) {
+    return m_builder.multiply(velocity(i, j, l), direction(i, j));
+}
+
+// AX = atan2(-z_i.y_j, z_i.z_j), AY = atan2(z_i.x_j, z_i.z_j), AZ = atan2(x_i.y_j, x_i.x_j)
+Operand MarkerFrames::projectedAngle(int i, int j, int axis) {
+    if (axis == 2) return m_builder.continuousAngle(element(i, j, 1, 0), element(i, j, 0, 0));
+    const Operand sine = axis == 0 ? m_builder.negate(element(i, j, 1, 2)) : element(i, j, 0, 2);
+    return m_builder.continuousAngle(sine, element(i, j, 2, 2));
 }
 
 Operand MarkerFrames::inAxesOf(Operand v, int k) {

@@ -48,7 +48,10 @@ public:
     Operand angularVelocity(int i, int j);               ///< w_i - w_j
     Operand angularAcceleration(int i, int j, int l);    ///< its derivative seen from l
     Operand element(int i, int j, int row, int column);  ///< of R_ji: axis `row` of j . axis `column` of i
-    Operand angleAboutZ(int i, int j);                   ///< AZ
+    Operand direction(int i, int j);                     ///< of r, zero where the markers coincide
+    Operand radialVelocity(int i, int j, int l);         ///< VR: dr/dt seen from l along r
+    Operand projectedAngle(int i, int j, int axis);      ///< AX, AY, AZ, counting whole turns
+    Operand angleAboutZ(int i, int j) { return projectedAngle(i, j, 2); }
     ///@}
 
     /// A vector's component along an axis of k, and all three.

@@ -30,15 +30,6 @@ Operand makeNegative(MarkerFrames& f, Operand a) {
     return f.updBuilder().negate(a);
 }
 
-// AX = atan2(-z_i.y_j, z_i.z_j), AY = atan2(z_i.x_j, z_i.z_j), AZ = atan2(x_i.y_j, x_i.x_j)
-Operand makeAngle(MarkerFrames& f, const int* m, int axis) {
-    if (axis == 2) return f.angleAboutZ(m[0], m[1]);
-    const Operand cosine = f.element(m[0], m[1], 2, 2);
-    const Operand sine =
-        axis == 0 ? makeNegative(f, f.element(m[0], m[1], 1, 2)) : f.element(m[0], m[1], 0, 2);
-    return f.updBuilder().continuousAngle(sine, cosine);
-}
-
 // Body-fixed 3-1-3 angles: R = Rz(psi) Rx(theta) Rz(phi).
 Operand makePsi(MarkerFrames& f, const int* m, int) {
     return makeArctangent(f, f.element(m[0], m[1], 0, 2), makeNegative(f, f.element(m[0], m[1], 1, 2)));
@@ -75,12 +66,6 @@ Operand makeIncludedAngle(MarkerFrames& f, const int* m, int) {
     return b.atan2(b.norm(b.cross(toI, toK)), b.multiply(toI, toK));
 }
 
-// Zero where the markers coincide.
-Operand makeRadialVelocity(MarkerFrames& f, const int* m, int) {
-    ProgramBuilder& b = f.updBuilder();
-    return b.multiply(f.velocity(m[0], m[1], m[2]), b.normalize(f.position(m[0], m[1])));
-}
-
 // clang-format off
 #define JPRIM_EACH_AXIS(name, most, least, make) {name "X", most, least, 0, make}, {name "Y", most, least, 1, make}, {name "Z", most, least, 2, make}
 const Measure Measures[] = {
@@ -90,7 +75,7 @@ const Measure Measures[] = {
     JPRIM_EACH_AXIS("V", 4, 1, [](MarkerFrames& f, const int* m, int axis) { return f.along(f.velocity(m[0], m[1], m[3]), m[2], axis); }),
     {"VXYZ", 4, 1, -1, [](MarkerFrames& f, const int* m, int) { return f.inAxesOf(f.velocity(m[0], m[1], m[3]), m[2]); }},
     {"VM", 3, 1, -1, [](MarkerFrames& f, const int* m, int) { return f.updBuilder().norm(f.velocity(m[0], m[1], m[2])); }},
-    {"VR", 3, 2, -1, makeRadialVelocity},
+    {"VR", 3, 2, -1, [](MarkerFrames& f, const int* m, int) { return f.radialVelocity(m[0], m[1], m[2]); }},
     JPRIM_EACH_AXIS("ACC", 4, 1, [](MarkerFrames& f, const int* m, int axis) { return f.along(f.acceleration(m[0], m[1], m[3]), m[2], axis); }),
     {"ACCXYZ", 4, 1, -1, [](MarkerFrames& f, const int* m, int) { return f.inAxesOf(f.acceleration(m[0], m[1], m[3]), m[2]); }},
     {"ACCM", 3, 1, -1, [](MarkerFrames& f, const int* m, int) { return f.updBuilder().norm(f.acceleration(m[0], m[1], m[2])); }},
@@ -100,7 +85,7 @@ const Measure Measures[] = {
     JPRIM_EACH_AXIS("WDT", 4, 1, [](MarkerFrames& f, const int* m, int axis) { return f.along(f.angularAcceleration(m[0], m[1], m[3]), m[2], axis); }),
     {"WDTXYZ", 4, 1, -1, [](MarkerFrames& f, const int* m, int) { return f.inAxesOf(f.angularAcceleration(m[0], m[1], m[3]), m[2]); }},
     {"WDTM", 3, 1, -1, [](MarkerFrames& f, const int* m, int) { return f.updBuilder().norm(f.angularAcceleration(m[0], m[1], m[2])); }},
-    JPRIM_EACH_AXIS("A", 2, 1, makeAngle),
+    JPRIM_EACH_AXIS("A", 2, 1, [](MarkerFrames& f, const int* m, int axis) { return f.projectedAngle(m[0], m[1], axis); }),
     {"PSI", 2, 1, -1, makePsi}, {"THETA", 2, 1, -1, makeTheta}, {"PHI", 2, 1, -1, makePhi},
     {"YAW", 2, 1, -1, makeYaw}, {"PITCH", 2, 1, -1, makePitch}, {"ROLL", 2, 1, -1, makeRoll},
     JPRIM_EACH_AXIS("UV", 1, 1, [](MarkerFrames& f, const int* m, int axis) { return f.axis(m[0], axis); }),

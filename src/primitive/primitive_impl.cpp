@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "jprim/base/error.h"
+#include "marker/cache_entry.h"
+#include "marker/require_on_body.h"
 
 namespace jprim {
 
@@ -31,10 +33,7 @@ std::string describe(const char* adamsType, const std::string& name) {
 // Simbody would notice these mistakes only when the topology is realized, without saying whose they are.
 SimbodyMatterSubsystem& findMatter(const Marker& I, const Marker& J, const std::string& element) {
     for (const auto& [marker, letter] : {std::pair(&I, 'I'), std::pair(&J, 'J')})
-        if (!marker->isOnBody())
-            throw Error(element, fmt::format("marker {} is not on a body; construct it with a MobilizedBody "
-                                             "that has been added to a matter subsystem",
-                                             letter));
+        requireOnBody(*marker, std::string("marker ") + letter, element);
     const SimbodyMatterSubsystem& matter = I.getBody().getMatterSubsystem();
     if (&matter.getSystem() != &J.getBody().getMatterSubsystem().getSystem())
         throw Error(element, "markers I and J belong to different systems; put both bodies into one");
@@ -74,17 +73,7 @@ std::string PrimitiveImpl::getDescription() const {
 }
 
 //------------------------------------------------------------------------------------------ State
-// Simbody reads the rows of every constraint once per multiplier of the whole system, so they are looked up
-// with as little ceremony as a State allows: SimTK's checked downcasts and validity tests cost more than the
-// dot products that follow. We allocated the values ourselves, and they are valid from their stage on
-// because realizePosition() and realizeVelocity() below fill them.
-namespace {
-template <class T>
-T& updEntry(const State& state, SimTK::SubsystemIndex subsystem, CacheEntryIndex index) {
-    return static_cast<Value<T>&>(state.updCacheEntry(subsystem, index)).upd();
-}
-}  // namespace
-
+// Our entries are valid from their stage on because realizePosition() and realizeVelocity() below fill them.
 void PrimitiveImpl::realizeTopology(State& state) const {
     const SimbodyMatterSubsystem& matter = getMatterSubsystem();
     m_subsystem = matter.getMySubsystemIndex();

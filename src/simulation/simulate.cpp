@@ -41,8 +41,7 @@ public:
     Monitor(const Mechanism& mechanism, SimulationSummary& summary)
         : m_mechanism(mechanism), m_summary(summary) {}
 
-    void observe(const State& state) {
-        const Violation now = calcViolation(m_mechanism, state);
+    void observe(const State& state, const Violation& now) {
         Violation& worst = m_summary.worstViolation;
         if (std::max(now.length, now.angle) > std::max(worst.length, worst.angle))
             worst.element = now.element;
@@ -191,18 +190,18 @@ private:
     void record() {
         const State& state = m_stepper->getState();
         m_mechanism.getSystem().realize(state, Stage::Acceleration);
-        checkPositions(state);
+        const Violation violation = calcViolation(m_mechanism, state);
+        checkPositions(state, violation);
         checkAccelerations(m_mechanism, state);
         m_recorder.record(state);
-        m_monitor.observe(state);
+        m_monitor.observe(state, violation);
     }
 
     // Integrators hold errors to their tolerance; a larger one is a conflict or an axis that has flipped.
-    void checkPositions(const State& state) const {
+    void checkPositions(const State& state, const Violation& violation) const {
         constexpr Real Least = 1e-6, Margin = 1000;
         const Real tolerance = std::max(Least, Margin * m_options.accuracy / 10);
         if (m_dropped) m_dropped->check(state, tolerance);
-        const Violation violation = calcViolation(m_mechanism, state);
         if (std::max(violation.length, violation.angle) > tolerance)
             throw std::runtime_error("a constraint is violated");
     }
