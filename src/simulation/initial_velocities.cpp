@@ -217,7 +217,8 @@ Vector calcInitialVelocities(const Mechanism& mechanism, const State& positions)
     const Eigen::VectorXd b = -calcErrors(mechanism, state, Vector(state.getNU(), Real(0)));
     const GivenVelocities given = Collector(mechanism, state).finish();
     const Eigen::MatrixXd S = calcS(mechanism, state);
-    const Eigen::VectorXd u = S * solve(calcConstraintJacobian(mechanism, state, b.size()) * S, b, given.C * S, given.c);
+    const Eigen::VectorXd u =
+        S * solve(calcConstraintJacobian(mechanism, state, b.size()) * S, b, given.C * S, given.c);
     return Vector(int(u.size()), u.data());
 }
 

@@ -89,7 +89,11 @@ std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const State
     const IntegratorEntry& entry = findEntry(options.integrator);
     std::unique_ptr<Integrator> integrator = entry.make(mechanism.getSystem());
     integrator->setAccuracy(options.accuracy);
-    integrator->setConstraintTolerance(options.accuracy / 10);
+    integrator->setConstraintTolerance(options.getConstraintTolerance());
+    // Near a singular position an error of velocities, divided by the distance, is one of accelerations.
+    integrator->setProjectEveryStep(true);
+    if (std::isfinite(options.maximumStep))
+        integrator->setMaximumStepSize(options.maximumStep * mechanism.getUnits().time);
     integrator->setAllowInterpolation(false);
     integrator->setReturnEveryInternalStep(everyStep);
     return std::make_unique<Integration>(mechanism, std::move(integrator), initial);

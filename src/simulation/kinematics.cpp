@@ -24,7 +24,7 @@ constexpr int MostHalvings = 20;
 class Kinematics : public Stepper {
 public:
     Kinematics(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
-        : m_mechanism(mechanism), m_state(initial), m_tolerance(options.accuracy / 10) {
+        : m_mechanism(mechanism), m_state(initial), m_tolerance(options.getConstraintTolerance()) {
         mechanism.getSystem().realize(m_state, Stage::Acceleration);
     }
 

@@ -33,6 +33,11 @@ void checkOptions(const SimulationOptions& options, double start) {
     if (options.steps < 1) throw Error("steps", fmt::format("{} is not a positive number", options.steps));
     if (!(options.accuracy > 0 && options.accuracy < 1))
         throw Error("accuracy", fmt::format("{} is not between 0 and 1", options.accuracy));
+    if (!(options.getConstraintTolerance() > 0 && options.getConstraintTolerance() < 1))
+        throw Error("constraint tolerance",
+                    fmt::format("{} is not between 0 and 1", options.getConstraintTolerance()));
+    if (!(options.maximumStep > 0))
+        throw Error("maximum step", fmt::format("{} is not a positive time", options.maximumStep));
 }
 
 /// Watches what the summary is about.
@@ -200,7 +205,7 @@ private:
     // Integrators hold errors to their tolerance; a larger one is a conflict or an axis that has flipped.
     void checkPositions(const State& state, const Violation& violation) const {
         constexpr Real Least = 1e-6, Margin = 1000;
-        const Real tolerance = std::max(Least, Margin * m_options.accuracy / 10);
+        const Real tolerance = std::max(Least, Margin * m_options.getConstraintTolerance());
         if (m_dropped) m_dropped->check(state, tolerance);
         if (std::max(violation.length, violation.angle) > tolerance)
             throw std::runtime_error("a constraint is violated");

@@ -24,6 +24,8 @@ struct RunArguments {
     int steps = 0;
     double dtout = 0;
     double accuracy = 1e-6;
+    std::optional<double> constraintTolerance;
+    std::optional<double> maximumStep;
     std::string integrator = "RungeKuttaMerson";
     Formulation formulation = Formulation::Tree;
     std::string out;

@@ -53,7 +53,9 @@ LoadedCommands loadCommands(const std::string& path, Formulation formulation) {
     if (hasErrors(diagnostics)) return loaded;
     std::filesystem::path model = std::filesystem::path(loaded.file.folder) / loaded.file.model;
     if (!model.has_extension()) model += ".adm";
-    const auto switches = [](const Command& command) { return std::holds_alternative<ActivateCommand>(command); };
+    const auto switches = [](const Command& command) {
+        return std::holds_alternative<ActivateCommand>(command);
+    };
     if (std::any_of(loaded.file.commands.begin(), loaded.file.commands.end(), switches))
         formulation = Formulation::Constraints;
     loaded.model = loadModel(model.string(), formulation);

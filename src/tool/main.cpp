@@ -69,6 +69,14 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
     command.add_option("--accuracy", arguments.accuracy, "Relative accuracy of the integration")
         ->check(Accuracy)
         ->capture_default_str();
+    command
+        .add_option("--constraint-tolerance", arguments.constraintTolerance,
+                    "Largest root mean square of constraint errors (a tenth of the accuracy)")
+        ->check(Accuracy);
+    command
+        .add_option("--max-step", arguments.maximumStep,
+                    "Longest step of the integration, in the dataset's unit of time")
+        ->check(PositiveTime);
     command.add_option("--integrator", arguments.integrator, "Simbody's integrator")
         ->check(CLI::IsMember(jprim::getIntegratorNames()))
         ->capture_default_str();

@@ -67,6 +67,8 @@ SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
     if (arguments.redundant == "drop") options.redundancy = Redundancy::Drop;
     options.end = arguments.end;
     options.accuracy = arguments.accuracy;
+    options.constraintTolerance = arguments.constraintTolerance;
+    if (arguments.maximumStep) options.maximumStep = *arguments.maximumStep;
     options.integrator = arguments.integrator;
     options.reportProgress = [&bar](double fraction) { bar.update(fraction); };
     return options;

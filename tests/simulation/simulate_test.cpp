@@ -109,6 +109,39 @@ TEST(Simulate, SummaryTellsWhatHappened) {
     EXPECT_LT(outcome.summary.worstViolation.length, 1e-6);
 }
 
+SimulationSummary runWithMaximumStep(const std::string& units, double perSecond, double maximumStep) {
+    SimulationOptions options;
+    options.end = 1 * perSecond;
+    options.steps = 1;
+    options.accuracy = 1e-3;
+    options.maximumStep = maximumStep;
+    const Mechanism mechanism = buildOrFail(testing::makeBeadOnSwing(units, 1, 1, perSecond));
+    return simulate(mechanism, assemble(mechanism), options).summary;
+}
+
+TEST(Simulate, StepsAreNoLongerThanTheMaximumInTheDatasetsUnit) {
+    const std::string ms = "UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=METER,TIME=MILLISECOND";
+    EXPECT_LT(runWithMaximumStep(ms, 1000, 1000).stepsTaken, 90);
+    const int steps = runWithMaximumStep(ms, 1000, 10).stepsTaken;
+    EXPECT_GE(steps, 100);
+    EXPECT_LE(steps, 110);
+}
+
+TEST(Simulate, ConstraintErrorsAreHeldToTheirTolerance) {
+    const Mechanism mechanism =
+        buildOrFail(testing::makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1), {Formulation::Constraints});
+    SimulationOptions options;
+    options.end = 1;
+    options.steps = 1;
+    options.accuracy = 0.09;
+    const double loose = simulate(mechanism, assemble(mechanism), options).summary.worstViolation.length;
+    options.constraintTolerance = 1e-11;
+    const double tight = simulate(mechanism, assemble(mechanism), options).summary.worstViolation.length;
+    // The tolerance is on the root mean square of all equations, fewer than a hundred here.
+    EXPECT_LT(tight, 1e-10);
+    EXPECT_GT(loose, 1e-10);
+}
+
 //------------------------------------------------------------------------------------------- failures
 // The bead has moved by 0.3 m, 0.22 of it along x; the integrators of lowest order are good to 2 % of that
 // here.
@@ -173,6 +206,12 @@ TEST(Simulate, RefusesImpossibleOptions) {
     options.accuracy = 2;
     expectOptionError(options, "accuracy: 2 is not between 0 and 1");
     options.accuracy = 1e-3;
+    options.constraintTolerance = 0;
+    expectOptionError(options, "constraint tolerance: 0 is not between 0 and 1");
+    options.constraintTolerance = std::nullopt;
+    options.maximumStep = std::nan("");
+    expectOptionError(options, "maximum step: nan is not a positive time");
+    options.maximumStep = 1;
     options.integrator = "Euler";
     expectOptionError(options,
                       "integrator Euler: is not known; use one of RungeKuttaMerson, RungeKutta3, Verlet, "

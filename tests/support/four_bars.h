@@ -38,7 +38,7 @@ inline std::string writeFourBars(int n) {
     return text + "END\n";
 }
 
-/// The angle of the rockers from upright at a time before the first singular position. All links together are one
+/// The angle of the rockers from upright. On the branch that is smooth through singular positions all links together are one
 /// pendulum: J d2a/dt2 = G sin a. Integrated by a Runge-Kutta method of fourth order with steps far below need.
 inline double calcFourBarsAngle(int n, double time) {
     const double J = (n + 1) / 3. + n, G = 9.81 * ((n + 1) / 2. + n);

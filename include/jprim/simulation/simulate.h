@@ -3,6 +3,7 @@
 #define JPRIM_SIMULATION_SIMULATE_H_
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,17 @@ struct SimulationOptions {
     double end = 0;  ///< end time, in the dataset's unit; it starts at the time of the initial state
     /// Output steps of equal length; steps + 1 rows are recorded. With 0 steps only the initial state is.
     int steps = 100;
-    /// Relative, of the integrator; a tenth of it for constraint errors (root mean square).
-    double accuracy = 1e-6;
+    double accuracy = 1e-6;  ///< relative, of the integrator
+    /// What the root mean square of constraint errors may be, in the mechanism's length unit and radians; a tenth of
+    /// the accuracy if not given.
+    std::optional<double> constraintTolerance;
+    double maximumStep = SimTK::Infinity;         ///< of the integrator, in the dataset's unit of time
     std::string integrator = "RungeKuttaMerson";  ///< one of getIntegratorNames()
     /// Called with the finished fraction, 0 to 1, after each output step. If it throws, the simulation ends
     /// there as if it had failed.
     std::function<void(double)> reportProgress;
+
+    double getConstraintTolerance() const { return constraintTolerance.value_or(accuracy / 10); }
 };
 
 /// The integrators of Simbody that can be named.
