@@ -37,18 +37,36 @@ Mobilities measureMobilities(const SimbodyMatterSubsystem& matter, const State& 
     return sizes;
 }
 
-// Lengths of each row's turns and shifts, with columns that stand for 1 rad and 1 length unit.
+// What a turn of 1 rad and a shift of 1 length unit of all bodies do to each equation.
 struct RowSizes {
     VectorXd turn, shift;
 };
 
-// What is left of a shift by rounding does not count: in a tree of hinges even a point's path feels turns alone.
-RowSizes measureRows(const MatrixXd& G, const Mobilities& sizes) {
-    const auto invert = [](double size) { return size > 0 ? 1 / size : 0; };
-    RowSizes rows{(G * sizes.angular.unaryExpr(invert).asDiagonal()).rowwise().norm(),
-                  (G * sizes.linear.unaryExpr(invert).asDiagonal()).rowwise().norm()};
-    for (int i = 0; i < rows.shift.size(); ++i)
-        if (rows.shift[i] <= Rounding * rows.turn[i]) rows.shift[i] = 0;
+// Taken from the load of the equation on bodies, which does not depend on how they hang in a tree; coordinates with
+// loads of their own count as what they move. What rounding leaves of a shift does not count.
+RowSizes measureRows(const SimbodyMatterSubsystem& matter, const State& state,
+                     const std::vector<ConstraintEquation>& equations) {
+    const Mobilities sizes = measureMobilities(matter, state);
+    RowSizes rows{VectorXd::Zero(int(equations.size())), VectorXd::Zero(int(equations.size()))};
+    SimTK::Vector multipliers(state.getNMultipliers(), SimTK::Real(0)), mobilityForces;
+    SimTK::Vector_<SimTK::SpatialVec> bodyForces;
+    for (int i = 0; i < rows.turn.size(); ++i) {
+        const auto multiplier = equations[size_t(i)].multiplier;
+        multipliers[multiplier] = 1;
+        matter.calcConstraintForcesFromMultipliers(state, multipliers, bodyForces, mobilityForces);
+        multipliers[multiplier] = 0;
+        double turn = 0, shift = 0;
+        for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b) {
+            turn += bodyForces[b][0].normSqr();
+            shift += bodyForces[b][1].normSqr();
+        }
+        for (int j = 0; j < mobilityForces.size(); ++j) {
+            if (sizes.angular[j] > 0) turn += SimTK::square(mobilityForces[j] / sizes.angular[j]);
+            if (sizes.linear[j] > 0) shift += SimTK::square(mobilityForces[j] / sizes.linear[j]);
+        }
+        rows.turn[i] = std::sqrt(turn);
+        rows.shift[i] = std::sqrt(shift) > Rounding * rows.turn[i] ? std::sqrt(shift) : 0;
+    }
     return rows;
 }
 
@@ -69,7 +87,7 @@ ScaledEquations::ScaledEquations(const SimbodyMatterSubsystem& matter,
                                  std::vector<ConstraintEquation> equations, const State& state)
     : m_matter(matter), m_equations(std::move(equations)) {
     const MatrixXd G = calcUnscaledJacobian(state);
-    const RowSizes rows = measureRows(G, measureMobilities(matter, state));
+    const RowSizes rows = measureRows(matter, state, m_equations);
     const VectorXd sizes = (rows.shift.array() > 0).select(calcLength(rows) * rows.shift, rows.turn);
     // Rows and columns of nothing but rounding errors must not be made as long as the others.
     const auto invert = [](const VectorXd& lengths) -> VectorXd {

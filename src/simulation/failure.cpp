@@ -36,8 +36,10 @@ void checkAccelerations(const Mechanism& mechanism, const State& state) {
 
 namespace {
 
-// Simbody's messages run over several lines.
-std::string joinLines(std::string text) {
+// Simbody's messages run over several lines, and the commonest of them says nothing of what it means.
+std::string rephrase(std::string text) {
+    if (text.find("Unable to advance time past") != std::string::npos)
+        return "the integrator does not meet its accuracy however short its steps are";
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }
@@ -90,12 +92,17 @@ std::string describeConflict(const Mechanism& mechanism, const State& state) {
     return names.empty() ? "" : "; a moment later these cannot be met together: " + names;
 }
 
-// Empty unless equations depend on each other here that do not nearby.
+// Empty unless equations depend on each other here, or nearly so, that do not nearby.
 std::string describeSingularity(const Mechanism& mechanism, const State& state) {
+    constexpr Real Close = 1e-2;
     const ConstraintReport report = analyzeConstraints(mechanism.getMatter(), state);
-    if (!report.isSingularPosition()) return "";
-    return fmt::format("; this is a singular position with {} degrees of freedom, where nearby there are {}",
-                       report.getDegreesOfFreedom(), report.freedomsNearby);
+    if (report.isSingularPosition())
+        return fmt::format(
+            "; this is a singular position with {} degrees of freedom, where nearby there are {}",
+            report.getDegreesOfFreedom(), report.freedomsNearby);
+    if (report.rank == 0 || report.smallestKept > Close) return "";
+    return fmt::format("; this is close to a singular position (smallest singular value {:.1g})",
+                       report.smallestKept);
 }
 
 }  // namespace
@@ -108,12 +115,12 @@ std::string describeFailure(const Mechanism& mechanism, const State& state, cons
     std::string where;
     try {
         mechanism.getSystem().realize(state, Stage::Position);
-        where = describeLargestError(mechanism, state) + describeSingularity(mechanism, state) +
+        where = describeSingularity(mechanism, state) + describeLargestError(mechanism, state) +
                 describeConflict(mechanism, state);
     } catch (const std::exception&) {
         // Nothing more can be said about a State that cannot be realized.
     }
-    return fmt::format("at time {:.6g}: the simulation cannot go on{}: {}", time, where, joinLines(reason));
+    return fmt::format("at time {:.6g}: the simulation cannot go on{}: {}", time, where, rephrase(reason));
 }
 
 }  // namespace jprim

@@ -85,7 +85,7 @@ void checkIntegratorName(const std::string& name) {
 }
 
 std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const State& initial,
-                                         const SimulationOptions& options, bool everyStep) {
+                                         const SimulationOptions& options) {
     const IntegratorEntry& entry = findEntry(options.integrator);
     std::unique_ptr<Integrator> integrator = entry.make(mechanism.getSystem());
     integrator->setAccuracy(options.accuracy);
@@ -95,7 +95,7 @@ std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const State
     if (std::isfinite(options.maximumStep))
         integrator->setMaximumStepSize(options.maximumStep * mechanism.getUnits().time);
     integrator->setAllowInterpolation(false);
-    integrator->setReturnEveryInternalStep(everyStep);
+    integrator->setReturnEveryInternalStep(true);
     return std::make_unique<Integration>(mechanism, std::move(integrator), initial);
 }
 

@@ -11,6 +11,7 @@
 
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/error.h"
+#include "simulation/energy_watch.h"
 #include "simulation/failure.h"
 #include "simulation/recorder.h"
 #include "simulation/redundancy.h"
@@ -40,68 +41,11 @@ void checkOptions(const SimulationOptions& options, double start) {
         throw Error("maximum step", fmt::format("{} is not a positive time", options.maximumStep));
 }
 
-/// Watches what the summary is about.
-class Monitor {
-public:
-    Monitor(const Mechanism& mechanism, SimulationSummary& summary)
-        : m_mechanism(mechanism), m_summary(summary) {}
-
-    void observe(const State& state, const Violation& now) {
-        Violation& worst = m_summary.worstViolation;
-        if (std::max(now.length, now.angle) > std::max(worst.length, worst.angle))
-            worst.element = now.element;
-        worst.length = std::max(worst.length, now.length);
-        worst.angle = std::max(worst.angle, now.angle);
-
-        const Real kinetic = m_mechanism.calcKineticEnergy(state);
-        const Real energy = kinetic + m_mechanism.getSystem().calcPotentialEnergy(state);
-        if (m_first) {
-            m_summary.energyAtStart = energy;
-            m_least = m_most = kinetic;
-            m_smallestScale = calcSmallestScale(state);
-            m_lastEnergy = energy;
-        }
-        m_first = false;
-        m_least = std::min(m_least, kinetic);
-        m_most = std::max(m_most, kinetic);
-        m_summary.energyScale = std::max(m_most - m_least, m_smallestScale);
-        m_summary.energyAtEnd = energy;
-        m_summary.largestEnergyChange =
-            std::max(m_summary.largestEnergyChange, std::abs(energy - m_summary.energyAtStart));
-        noteJump(state, energy);
-    }
-
-private:
-    Real calcSmallestScale(const State& state) const {
-        constexpr Real HardlyMoving = 1e-9;
-        Real work = 0;
-        for (const MechanismPart& part : m_mechanism.getParts())
-            if (!part.ground)
-                work += part.body.getBodyMass(state) * part.size * m_mechanism.getGravity().norm();
-        return HardlyMoving * work;
-    }
-
-    // Where a conservative mechanism changes its energy most, and whether equations nearly depend on each other
-    // there.
-    void noteJump(const State& state, Real energy) {
-        constexpr Real WorthALook = 1e-4, NearSingular = 0.05;
-        const Real jump = std::abs(energy - m_lastEnergy);
-        m_lastEnergy = energy;
-        if (jump <= m_largestJump || jump < WorthALook * m_summary.energyScale ||
-            !m_mechanism.isConservative())
-            return;
-        m_largestJump = jump;
-        m_summary.energyJumpTime = state.getTime() / m_mechanism.getUnits().time;
-        const ConstraintCount count = countFreedoms(m_mechanism.getMatter(), state);
-        m_summary.jumpedAtSingular = count.rank > 0 && count.smallestKept < NearSingular;
-    }
-
-    const Mechanism& m_mechanism;
-    SimulationSummary& m_summary;
-    bool m_first = true;
-    Real m_lastEnergy = 0, m_largestJump = 0;
-    Real m_least = 0, m_most = 0, m_smallestScale = 0;
-};
+void keepWorst(Violation& worst, const Violation& now) {
+    if (std::max(now.length, now.angle) > std::max(worst.length, worst.angle)) worst.element = now.element;
+    worst.length = std::max(worst.length, now.length);
+    worst.angle = std::max(worst.angle, now.angle);
+}
 
 bool isHolonomic(const Mechanism& mechanism, const State& state) {
     const auto equations = mechanism.findEquations(state);
@@ -126,7 +70,7 @@ public:
         : m_mechanism(mechanism),
           m_options(options),
           m_recorder(mechanism),
-          m_monitor(mechanism, m_outcome.summary),
+          m_energy(mechanism, m_outcome.summary),
           m_watch(mechanism, [this](const State& state) { return makeStepperFrom(state); }) {}
 
     SimulationOutcome run(const State& initial) {
@@ -176,7 +120,7 @@ private:
     std::unique_ptr<Stepper> makeStepperFrom(const State& state) const {
         if (m_options.kind == SimulationKind::Statics) return makeStatics(m_mechanism, state);
         if (m_outcome.summary.isKinematic) return makeKinematics(m_mechanism, state, m_options);
-        return makeIntegration(m_mechanism, state, m_options, !m_mechanism.getSensors().empty());
+        return makeIntegration(m_mechanism, state, m_options);
     }
 
     void stepTo(Real time) {
@@ -186,10 +130,18 @@ private:
             else
                 m_firing = m_watch.step(m_stepper, time);
             if (!m_firing) m_numSteps = m_stepper->getNumSteps();
+            watchEnergy();
         }
         if (!m_firing) return;
         m_outcome.summary.endedBy = m_firing->name;
         m_outcome.summary.isHalted = m_firing->halt;
+    }
+
+    // Statics and kinematics do not keep it.
+    void watchEnergy() {
+        if (m_options.kind == SimulationKind::Statics || m_outcome.summary.isKinematic) return;
+        m_mechanism.getSystem().realize(m_stepper->getState(), Stage::Acceleration);
+        m_energy.observe(m_stepper->getState());
     }
 
     void record() {
@@ -199,7 +151,8 @@ private:
         checkPositions(state, violation);
         checkAccelerations(m_mechanism, state);
         m_recorder.record(state);
-        m_monitor.observe(state, violation);
+        m_energy.observe(state);
+        keepWorst(m_outcome.summary.worstViolation, violation);
     }
 
     // Integrators hold errors to their tolerance; a larger one is a conflict or an axis that has flipped.
@@ -216,7 +169,7 @@ private:
     std::optional<DroppedEquations> m_dropped;
     SimulationOutcome m_outcome;
     Recorder m_recorder;
-    Monitor m_monitor;
+    EnergyWatch m_energy;
     SensorWatch m_watch;
     std::unique_ptr<Stepper> m_stepper;
     int m_numSteps = 0;  // before the one that a sensor ended

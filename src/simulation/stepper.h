@@ -28,10 +28,9 @@ SimTK::Real calcTimeOfARadian(const Mechanism& mechanism, const SimTK::State& st
 /// @throws Error if there is no such integrator
 void checkIntegratorName(const std::string& name);
 
-/// Integrates the equations of motion. With `everyStep` each internal step of the integrator is one step
-/// here; without, it goes as far as it can.
+/// Integrates the equations of motion.
 std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const SimTK::State& initial,
-                                         const SimulationOptions& options, bool everyStep);
+                                         const SimulationOptions& options);
 
 /// Follows a mechanism without freedoms, whose constraints give positions, velocities and accelerations at
 /// any time: no equation is integrated.

@@ -52,12 +52,8 @@ void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism
     if (summary.largestEnergyChange <= Tolerable * summary.energyScale) return;
     const std::string message = fmt::format(
         "the energy of this conservative mechanism changed by {:.2g} of the range of its kinetic energy; "
-        "do not trust the results{}, and try a smaller --accuracy",
-        summary.largestEnergyChange / summary.energyScale,
-        summary.jumpedAtSingular
-            ? fmt::format(" from about t={:.6g} on, where the mechanism passes a singular position",
-                          summary.energyJumpTime)
-            : "");
+        "do not trust the results, and try a smaller --accuracy",
+        summary.largestEnergyChange / summary.energyScale);
     fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
 }
 

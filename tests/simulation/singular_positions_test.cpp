@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "simulation/failure.h"
 #include "support/four_bars.h"
 #include "support/run_dataset.h"
 
@@ -48,6 +49,50 @@ INSTANTIATE_TEST_SUITE_P(Tree, FourBars,
 INSTANTIATE_TEST_SUITE_P(Constraints, FourBars,
                          ::testing::Values(Row{1, Formulation::Constraints, 100},
                                            Row{2, Formulation::Constraints, 37}));
+
+// Steps of a tenth of a second overlook the singular position, and what they find behind it is not the motion.
+TEST(SingularPositions, ARunThatIsThrownOffItsMotionStops) {
+    const Mechanism mechanism = testing::buildOrFail(testing::writeFourBars(1), {Formulation::Tree});
+    SimulationOptions options;
+    options.end = End;
+    options.steps = 1;
+    options.accuracy = 0.1;
+    const SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
+    EXPECT_EQ(outcome.failure.find("at time 0.7"), 0u) << outcome.failure;
+    EXPECT_NE(outcome.failure.find(": the energy of this conservative mechanism has changed by 0."),
+              std::string::npos)
+        << outcome.failure;
+    EXPECT_NE(
+        outcome.failure.find(
+            " of its kinetic energy within a step near a singular position: its motion through that is lost"),
+        std::string::npos)
+        << outcome.failure;
+}
+
+std::string describeFailureAtAngle(int fourBars, Formulation formulation, double fromHorizontal) {
+    const Mechanism mechanism = testing::buildOrFail(
+        testing::writeFourBars(fourBars, 0.5 * SimTK::Pi + fromHorizontal), {formulation});
+    const SimTK::State state = assemble(mechanism).state;
+    return describeFailure(mechanism, state, "Integrator step failed: Unable to advance time past 0.");
+}
+
+TEST(SingularPositions, AFailureThereNamesThem) {
+    const std::string end = "the integrator does not meet its accuracy however short its steps are";
+    for (const Formulation formulation : {Formulation::Tree, Formulation::Constraints}) {
+        const std::string at = describeFailureAtAngle(2, formulation, 0);
+        const std::string close = describeFailureAtAngle(2, formulation, 1e-4);
+        const std::string far = describeFailureAtAngle(2, formulation, 0.5);
+        EXPECT_NE(at.find("this is a singular position with 3 degrees of freedom, where nearby there are 1"),
+                  std::string::npos)
+            << at;
+        EXPECT_NE(close.find("this is close to a singular position (smallest singular value "),
+                  std::string::npos)
+            << close;
+        EXPECT_EQ(far.find("singular"), std::string::npos) << far;
+        for (const std::string& text : {at, close, far})
+            EXPECT_EQ(text.substr(text.size() - end.size()), end) << text;
+    }
+}
 
 // The figure of the benchmark's own solution for N = 2.
 TEST(FourBarsReference, ThePendulumIsTheSmoothBranch) {

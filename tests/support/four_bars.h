@@ -10,16 +10,17 @@
 namespace jprim::testing {
 
 /// A row of N four-bars that share their rockers: N + 1 rockers, N couplers, all uniform links of 1 kg and 1 m with
-/// hinges at their ends, upright at the start and moving at 1 m/s at the top, under gravity of 9.81 m/s^2. The top
+/// hinges at their ends, at the start turned by `angle` from upright and moving at 1 m/s at the top, under gravity of 9.81 m/s^2. The top
 /// of the first rocker is MARKER/2002. Source: IFToMM multibody benchmark library, problem A02.
-inline std::string writeFourBars(int n) {
+inline std::string writeFourBars(int n, double angle = 0) {
     std::string text = "N four-bars\nACCGRAV/JGRAV=-9.81\nPART/1,GROUND\n";
-    const auto addLink = [&text](int id, double x, double y, const char* rest) {
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    const auto addLink = [&text](int id, double x, double y, double turned, const std::string& rest) {
         const double I = 1. / 12;
         text += fmt::format(
-            "PART/{0},MASS=1,CM={0}0,IP={1},{1},{1},QG={2},{3},0,VY=0,VZ=0,WX=0,WY=0,{4}\n"
+            "PART/{0},MASS=1,CM={0}0,IP={1},{1},{1},QG={2},{3},0,REULER={4},0,0,VZ=0,WX=0,WY=0,{5}\n"
             "MARKER/{0}0,QP=0.5,0,0\nMARKER/{0}1\nMARKER/{0}2,QP=1,0,0\n",
-            id, I, x, y, rest);
+            id, I, x, y, turned, rest);
     };
     auto addHinge = [&text, id = 0](int i, int j) mutable {
         text += fmt::format("JOINT/{},REVOLUTE,I={},J={}\n", ++id, i, j);
@@ -27,8 +28,9 @@ inline std::string writeFourBars(int n) {
     const int rocker = 200, coupler = 100000;
     for (int k = 0; k <= n; ++k) {
         text += fmt::format("MARKER/{},PART=1,QP={},0,0\n", k + 1, k);
-        addLink(rocker + k, k, 0, "REULER=90D,0,0,VX=0.5,WZ=-1");
-        if (k < n) addLink(coupler + k, k, 1, "VX=1,WZ=0");
+        addLink(rocker + k, k, 0, std::acos(0.) - angle,
+                fmt::format("VX={},VY={},WZ=-1", cosine / 2, -sine / 2));
+        if (k < n) addLink(coupler + k, k + sine, cosine, 0, fmt::format("VX={},VY={},WZ=0", cosine, -sine));
     }
     for (int k = 0; k <= n; ++k) addHinge(10 * (rocker + k) + 1, k + 1);
     for (int k = 0; k < n; ++k) {

@@ -50,16 +50,14 @@ struct SimulationSummary {
     Violation worstViolation;                   ///< over all recorded times
     double energyAtStart = 0;
     double energyAtEnd = 0;
-    double largestEnergyChange = 0;  ///< over all recorded times, from the start
-    /// What the change is held against: largest less smallest kinetic energy, or where hardly anything moves
-    /// 1e-9 of the work of the parts' weights over their sizes.
+    double largestEnergyChange = 0;  ///< over all steps, from the start
+    /// What the change is held against: largest less smallest kinetic energy; 1e-3 of the largest if it hardly
+    /// changes, and where hardly anything moves 1e-9 of the work of the parts' weights over their sizes.
     double energyScale = 0;
-    double energyJumpTime = 0;      ///< of the output step over which the energy changed most
-    bool jumpedAtSingular = false;  ///< and there the mechanism was near a singular position
-    bool isKinematic = false;       ///< nothing was integrated: positions followed from the constraints
-    int stepsTaken = 0;             ///< of the integrator or the kinematic solution
-    std::string endedBy;            ///< the sensor that ended it before its time: "SENSOR/3"; empty if none
-    bool isHalted = false;          ///< and that sensor has HALT
+    bool isKinematic = false;  ///< nothing was integrated: positions followed from the constraints
+    int stepsTaken = 0;        ///< of the integrator or the kinematic solution
+    std::string endedBy;       ///< the sensor that ended it before its time: "SENSOR/3"; empty if none
+    bool isHalted = false;     ///< and that sensor has HALT
     double wallSeconds = 0;
 };
 

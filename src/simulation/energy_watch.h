@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_SIMULATION_ENERGY_WATCH_H_
+#define JPRIM_SRC_SIMULATION_ENERGY_WATCH_H_
+
+#include "jprim/build/mechanism.h"
+#include "jprim/simulation/simulate.h"
+
+namespace jprim {
+
+/// Keeps account of the energy of a mechanism from step to step.
+class EnergyWatch {
+public:
+    /// @param summary  where start, end and largest change of the energy are written
+    EnergyWatch(const Mechanism& mechanism, SimulationSummary& summary)
+        : m_mechanism(mechanism), m_summary(summary) {}
+
+    /// Requires Stage::Velocity.
+    /// @throws std::runtime_error if a conservative mechanism has gained or lost energy since the last call, and has
+    ///         done so near a singular position: it has been thrown off its motion
+    void observe(const SimTK::State& state);
+
+private:
+    void start(const SimTK::State& state, SimTK::Real kinetic, SimTK::Real energy);
+    bool isJump(SimTK::Real energy) const;
+
+    const Mechanism& m_mechanism;
+    SimulationSummary& m_summary;
+    bool m_isStarted = false;
+    SimTK::Real m_lastKinetic = 0, m_lastEnergy = 0;
+    SimTK::Real m_leastKinetic = 0, m_mostKinetic = 0;
+    SimTK::Real m_smallestScale = 0;
+};
+
+}  // namespace jprim
+
+#endif
