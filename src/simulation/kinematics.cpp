@@ -58,14 +58,27 @@ private:
         next.updU() += h * m_state.getUDot();
         const Vector predicted = next.getQ();
         try {
-            m_mechanism.getSystem().realize(next, Stage::Velocity);
-            m_mechanism.getSystem().project(next, m_tolerance);
+            project(next);
         } catch (const Error&) {
             throw;
         } catch (const std::exception&) {
             return false;
         }
         return predicted.size() == 0 || Vector(next.getQ() - predicted).normInf() <= LargestCorrection;
+    }
+
+    // One step more than the tolerance needs: Newton's method then is at rounding.
+    void project(State& state) const {
+        const SimTK::MultibodySystem& system = m_mechanism.getSystem();
+        SimTK::ProjectOptions options(m_tolerance);
+        SimTK::ProjectResults results;
+        Vector noErrors;
+        system.realize(state, Stage::Position);
+        system.projectQ(state, noErrors, options, results);
+        options.setOption(SimTK::ProjectOptions::ForceProjection);
+        system.projectQ(state, noErrors, options, results);
+        system.realize(state, Stage::Velocity);
+        system.projectU(state, noErrors, options, results);
     }
 
     const Mechanism& m_mechanism;

@@ -95,6 +95,17 @@ TEST_P(SliderCrank, MovesAsTheExactOne) {
     EXPECT_LE(calcTorqueDeviation(u, r), TorqueTolerance);
 }
 
+// Without integration there is no error to be tolerated, whatever the accuracy.
+TEST(SliderCrankKinematics, AreMetToRounding) {
+    const Mechanism mechanism = buildOrFail(makeSliderCrank(testing::MetreSecond));
+    const SimulationOutcome outcome = testing::run(mechanism, 2, 50, 1e-3);
+    EXPECT_TRUE(outcome.summary.isKinematic);
+    EXPECT_LE(outcome.summary.worstViolation.length, 1e-13);
+    const Table& r = outcome.results.requests;
+    const auto travel = [](double t) { return calcTravel(Rate * t); };
+    EXPECT_LE(testing::calcDeviation(r.getColumn("time"), 1, r.getColumn("R1.F2"), 1, travel), 1e-13);
+}
+
 // Positions, velocities, accelerations and reactions: every column of every table.
 TEST_P(SliderCrank, IntegrationAndKinematicsAgree) {
     const Results a = runTurns(u, SimulationKind::Kinematics).results;
