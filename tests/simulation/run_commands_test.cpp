@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "jprim/dataset/commands.h"
 #include "support/run_dataset.h"
 
 namespace jprim {
@@ -96,6 +98,25 @@ TEST(RunCommands, AHaltingSensorEndsTheWholeFile) {
     EXPECT_EQ(outcome.summaries[0].simulation.endedBy, "SENSOR/1");
     EXPECT_GE(outcome.summaries[0].end, 7 - 1e-3);
     EXPECT_LE(outcome.summaries[0].end, 7.5);
+}
+
+// The tyre carries all the weight, before the kerb and, 2.4 s after it, again.
+TEST(RunCommands, TheQuarterCarOfTheExamplesStandsOnItsTyre) {
+    const std::string folder = std::string(JPRIM_SOURCE_DIR) + "/examples/";
+    Diagnostics diagnostics;
+    const CommandFile file = readCommandFile(folder + "quarter_car.acf", diagnostics);
+    const Mechanism mechanism = testing::buildFileOrFail(folder + file.model + ".adm");
+    const CommandsOutcome outcome = runCommands(mechanism, file.commands, SimulationOptions());
+    EXPECT_TRUE(diagnostics.empty());
+    EXPECT_EQ(outcome.failure, "");
+    const Table& requests = outcome.results.requests;
+    const std::vector<double> tyre = requests.getColumn("R1.F4"), wheel = requests.getColumn("R1.F2");
+    const double weight = (40 + 320) * 9.80665;
+    EXPECT_NEAR(tyre.front(), weight, 1e-6 * weight);
+    // An oscillation of 1.2 Hz with 0.29 of critical damping has decayed to e^-5.
+    EXPECT_NEAR(tyre.back(), weight, 5e-3 * weight);
+    EXPECT_NEAR(wheel.back() - wheel.front(), 60, 0.1);
+    EXPECT_GT(*std::max_element(tyre.begin(), tyre.end()), 1.5 * weight);
 }
 
 TEST(RunCommands, FailuresNameTheCommand) {
