@@ -49,8 +49,8 @@ struct Combination {
 // Those that leave fewer freedoms first.
 const Combination Combinations[] = {
     {MobilizerType::Weld, {JprimType::AtPoint, JprimType::Orientation}},
-    {MobilizerType::Pin, {JprimType::AtPoint, JprimType::ParallelAxes}},
     {MobilizerType::Slider, {JprimType::InLine, JprimType::Orientation}},
+    {MobilizerType::Pin, {JprimType::AtPoint, JprimType::ParallelAxes}},
     {MobilizerType::Universal, {JprimType::AtPoint, JprimType::Perpendicular}},
     {MobilizerType::Cylinder, {JprimType::InLine, JprimType::ParallelAxes}},
     {MobilizerType::Ball, {JprimType::AtPoint}},

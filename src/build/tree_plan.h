@@ -26,7 +26,7 @@ namespace jprim {
 /// | Ball | SPHERICAL; ATPOINT | 3 turns |
 /// | Planar | PLANAR; INPLANE + PARALLEL_AXES | turn about z, shifts along x_J and y_J |
 /// | Translation | ORIENTATION | 3 shifts |
-enum class MobilizerType { Free, Weld, Pin, Slider, Universal, Hooke, Cylinder, Ball, Planar, Translation };
+enum class MobilizerType { Free, Weld, Slider, Pin, Universal, Hooke, Cylinder, Ball, Planar, Translation };
 
 /// What an element carries of a mobilizer's load on marker I, at I's origin: ATPOINT, INLINE and INPLANE have no
 /// moment there, rotational primitives no force.
@@ -59,8 +59,8 @@ struct TreePlan {
 
 /// A spanning tree of shortest paths from ground. JPRIMs between the same two markers are taken together as far
 /// as the table above has them; which of two markers is I matters to INLINE and INPLANE only. Where a choice is
-/// left, joints that leave fewer freedoms are in the tree, so that loops are closed with fewer equations, then
-/// the earlier in the dataset. Parts that nothing joins to ground hang on it free, or on one that does.
+/// left, joints that leave fewer freedoms are in the tree, so that loops are closed with fewer equations; sliders before
+/// hinges, which close plane loops with two; then the earlier in the dataset. Parts that nothing joins to ground hang on it free, or on one that does.
 /// FLEX_BODYs and POINT_MASSes, and what is joined to them, are not in the tree.
 TreePlan planTree(const Dataset& dataset);
 

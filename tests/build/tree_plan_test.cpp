@@ -110,6 +110,14 @@ TEST(TreePlan, LoopsAreShortAndCloseWithFewEquations) {
               "PART/3 on PART/4 by Pin reversed JOINT/3; equations JOINT/2");
 }
 
+// A scotch yoke: the block slides in the yoke and turns on the crank, and is cut from the crank.
+TEST(TreePlan, LoopsAreClosedByHingesRatherThanSliders) {
+    EXPECT_EQ(plan("JOINT/1,REVOLUTE,I=21,J=11\nJOINT/2,REVOLUTE,I=31,J=22\nJOINT/3,TRANSLATIONAL,I=32,J=42\n"
+                   "JOINT/4,TRANSLATIONAL,I=41,J=12\n"),
+              "PART/4 on PART/1 by Slider JOINT/4; PART/2 on PART/1 by Pin JOINT/1; "
+              "PART/3 on PART/4 by Slider JOINT/3; equations JOINT/2");
+}
+
 TEST(TreePlan, WhatHangsTogetherInTheAirIsFreeAtOnePart) {
     EXPECT_EQ(plan("JOINT/1,REVOLUTE,I=31,J=22\n"),
               "PART/4 by Free; PART/2 by Free; PART/3 on PART/2 by Pin JOINT/1");
