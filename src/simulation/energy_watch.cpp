@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "jprim/analysis/constraint_report.h"
+#include "simulation/failure.h"
 
 namespace jprim {
 
@@ -23,13 +23,6 @@ Real calcSmallestScale(const Mechanism& mechanism, const State& state) {
     for (const MechanismPart& part : mechanism.getParts())
         if (!part.ground) work += part.body.getBodyMass(state) * part.size * mechanism.getGravity().norm();
     return HardlyMoving * work;
-}
-
-// Levers of unequal length give values that are not much larger, but a motion that keeps its energy.
-bool isNearSingular(const Mechanism& mechanism, const State& state) {
-    constexpr Real Near = 0.05;
-    const ConstraintCount count = countFreedoms(mechanism.getMatter(), state);
-    return count.rank > 0 && count.smallestKept < Near;
 }
 
 }  // namespace

@@ -34,11 +34,21 @@ void checkAccelerations(const Mechanism& mechanism, const State& state) {
                     mechanism.findEquations(state).at(size_t(first)).element));
 }
 
+bool isNearSingular(const Mechanism& mechanism, const State& state) {
+    constexpr Real Near = 0.05;
+    const ConstraintCount count = countFreedoms(mechanism.getMatter(), state);
+    return count.rank > 0 && count.smallestKept < Near;
+}
+
+bool isStuck(const std::exception& exception) {
+    return std::string(exception.what()).find("Unable to advance time past") != std::string::npos;
+}
+
 namespace {
 
 // Simbody's messages run over several lines, and the commonest of them says nothing of what it means.
 std::string rephrase(std::string text) {
-    if (text.find("Unable to advance time past") != std::string::npos)
+    if (isStuck(std::runtime_error(text)))
         return "the integrator does not meet its accuracy however short its steps are";
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;

@@ -2,6 +2,7 @@
 #ifndef JPRIM_SRC_SIMULATION_FAILURE_H_
 #define JPRIM_SRC_SIMULATION_FAILURE_H_
 
+#include <exception>
 #include <string>
 
 #include "jprim/build/mechanism.h"
@@ -13,6 +14,13 @@ namespace jprim {
 /// Requires Stage::Acceleration.
 /// @throws std::runtime_error naming the element whose equation the accelerations violate
 void checkAccelerations(const Mechanism& mechanism, const SimTK::State& state);
+
+/// True if equations nearly depend on each other. Levers of unequal length give values that are not much larger: good
+/// to explain what has gone wrong, not to predict it. Requires Stage::Position.
+bool isNearSingular(const Mechanism& mechanism, const SimTK::State& state);
+
+/// True of what an integrator throws that does not meet its accuracy however short its steps are.
+bool isStuck(const std::exception& exception);
 
 /// Why a simulation ended at a State: the time, the equation with the largest error, a singular position if it
 /// is one, and the reason.

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "jprim/base/error.h"
+#include "simulation/failure.h"
+#include "simulation/step_history.h"
 #include "simulation/stepper.h"
 
 namespace jprim {
@@ -40,25 +42,96 @@ const IntegratorEntry& findEntry(const std::string& name) {
                 fmt::format("is not known; use one of {}", fmt::join(getIntegratorNames(), ", ")));
 }
 
+std::unique_ptr<Integrator> makeIntegrator(const Mechanism& mechanism, const SimulationOptions& options,
+                                           const IntegratorEntry& entry) {
+    std::unique_ptr<Integrator> integrator = entry.make(mechanism.getSystem());
+    integrator->setAccuracy(options.accuracy);
+    integrator->setConstraintTolerance(options.getConstraintTolerance());
+    // Near a singular position an error of velocities, divided by the distance, is one of accelerations.
+    integrator->setProjectEveryStep(true);
+    if (std::isfinite(options.maximumStep))
+        integrator->setMaximumStepSize(options.maximumStep * mechanism.getUnits().time);
+    integrator->setAllowInterpolation(false);
+    integrator->setReturnEveryInternalStep(true);
+    return integrator;
+}
+
+Real calcLargestAngularVelocity(const Mechanism& mechanism, const State& state) {
+    Real w = 0;
+    for (const MechanismPart& part : mechanism.getParts())
+        if (!part.ground) w = std::max(w, part.body.getBodyAngularVelocity(state).norm());
+    return w;
+}
+
 class Integration : public Stepper {
 public:
-    Integration(const Mechanism& mechanism, std::unique_ptr<Integrator> integrator, const State& initial)
-        : m_mechanism(mechanism), m_integrator(std::move(integrator)) {
-        m_integrator->initialize(initial);
+    Integration(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
+        : m_mechanism(mechanism), m_options(options), m_entry(findEntry(options.integrator)) {
+        restart(initial);
+        m_history.add(initial);
     }
 
     const State& getState() const override { return m_integrator->getState(); }
-    int getNumSteps() const override { return m_integrator->getNumStepsTaken(); }
+    int getNumSteps() const override { return m_numStepsBefore + m_integrator->getNumStepsTaken(); }
+
     void step(Real time) override {
         m_mechanism.getSystem().realize(getState(), SimTK::Stage::Acceleration);
         const Real end = std::min(time, getState().getTime() + calcTimeOfARadian(m_mechanism, getState()));
-        if (m_integrator->stepTo(end, end) == Integrator::EndOfSimulation)
-            throw Error("integrator", "ended before its time");
+        try {
+            advance(*m_integrator, end);
+        } catch (const std::exception& exception) {
+            if (!isStuck(exception) || !crossSingularPosition(time)) throw;
+        }
+        m_history.add(getState());
     }
 
 private:
+    void restart(const State& state) {
+        if (m_integrator) m_numStepsBefore += m_integrator->getNumStepsTaken();
+        m_integrator = makeIntegrator(m_mechanism, m_options, m_entry);
+        m_integrator->initialize(state);
+    }
+
+    static void advance(Integrator& integrator, Real end) {
+        if (integrator.stepTo(end, end) == Integrator::EndOfSimulation)
+            throw Error("integrator", "ended before its time");
+    }
+
+    // Next to a singular position accelerations are nothing but rounding errors divided by the distance, and no step
+    // is short enough. From a little before it one step of fixed length leads across, by stages that are not near.
+    // False if the integrator is not stuck for that reason.
+    bool crossSingularPosition(Real time) {
+        constexpr Real Turn = 1.5e-4, Beyond = 1. / 3, Wider = 8;  // rad; of the way there
+        constexpr int MostAttempts = 3;
+        State state = getState();
+        m_mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
+        const Real w = calcLargestAngularVelocity(m_mechanism, state), there = state.getTime();
+        m_attempts = there <= m_crossedUntil ? m_attempts + 1 : 0;
+        if (w == 0 || m_attempts == MostAttempts || !isNearSingular(m_mechanism, state)) return false;
+        const Real before = Turn / w * std::pow(Wider, m_attempts);
+        m_history.goBack(state, there - before);
+        state = integrate(state, there - before, *makeIntegrator(m_mechanism, m_options, m_entry));
+        m_crossedUntil = std::min(time, there + Beyond * before);
+        const auto across = makeIntegrator(m_mechanism, m_options, Integrators[0]);
+        across->setFixedStepSize(m_crossedUntil - state.getTime());
+        restart(integrate(state, m_crossedUntil, *across));
+        return true;
+    }
+
+    static State integrate(const State& from, Real end, Integrator& integrator) {
+        integrator.initialize(from);
+        while (integrator.getTime() < end) advance(integrator, end);
+        return integrator.getState();
+    }
+
     const Mechanism& m_mechanism;
+    const SimulationOptions& m_options;
+    const IntegratorEntry& m_entry;
     std::unique_ptr<Integrator> m_integrator;
+    StepHistory m_history;
+    int m_numStepsBefore = 0;  // of integrators before this one
+    int m_attempts = 0;        // to get across the same singular position
+    Real m_crossedUntil = -SimTK::Infinity;
 };
 
 }  // namespace
@@ -86,17 +159,7 @@ void checkIntegratorName(const std::string& name) {
 
 std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const State& initial,
                                          const SimulationOptions& options) {
-    const IntegratorEntry& entry = findEntry(options.integrator);
-    std::unique_ptr<Integrator> integrator = entry.make(mechanism.getSystem());
-    integrator->setAccuracy(options.accuracy);
-    integrator->setConstraintTolerance(options.getConstraintTolerance());
-    // Near a singular position an error of velocities, divided by the distance, is one of accelerations.
-    integrator->setProjectEveryStep(true);
-    if (std::isfinite(options.maximumStep))
-        integrator->setMaximumStepSize(options.maximumStep * mechanism.getUnits().time);
-    integrator->setAllowInterpolation(false);
-    integrator->setReturnEveryInternalStep(true);
-    return std::make_unique<Integration>(mechanism, std::move(integrator), initial);
+    return std::make_unique<Integration>(mechanism, initial, options);
 }
 
 }  // namespace jprim

@@ -40,13 +40,13 @@ inline std::string writeFourBars(int n, double angle = 0) {
     return text + "END\n";
 }
 
-/// The angle of the rockers from upright. On the branch that is smooth through singular positions all links together are one
+/// The angle of the rockers from upright, where they were at `start`. On the branch that is smooth through singular positions all links together are one
 /// pendulum: J d2a/dt2 = G sin a. Integrated by a Runge-Kutta method of fourth order with steps far below need.
-inline double calcFourBarsAngle(int n, double time) {
+inline double calcFourBarsAngle(int n, double time, double start = 0) {
     const double J = (n + 1) / 3. + n, G = 9.81 * ((n + 1) / 2. + n);
     constexpr int Steps = 20000;
     const double h = time / Steps;
-    double a = 0, w = 1;
+    double a = start, w = 1;
     for (int k = 0; k < Steps; ++k) {
         const auto b = [&](double angle) { return G / J * std::sin(angle); };
         const double w2 = w + h / 2 * b(a), w3 = w + h / 2 * b(a + h / 2 * w), w4 = w + h * b(a + h / 2 * w2);
