@@ -3,15 +3,16 @@
 // the one before, so that all hang together; three of 20 equations are redundant in each.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <vector>
 
 #include "jprim/jprim.h"
+#include "measure.h"
 
 namespace {
 
 using jprim::Joint;
 using jprim::Marker;
+using jprim::benchmarks::measureSeconds;
 using SimTK::MobilizedBody;
 using SimTK::Transform;
 using SimTK::Vec3;
@@ -40,13 +41,6 @@ private:
         return links[2];
     }
 };
-
-template <class Action>
-double measureSeconds(Action action) {
-    const auto start = std::chrono::steady_clock::now();
-    action();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 
