@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -75,6 +75,7 @@ OutputStep measureOutputStep(const Mechanism& mechanism, double end) {
     options.steps = Few;
     options.reportProgress = [&](double) { times.push_back(jprim::benchmarks::getSeconds()); };
     const jprim::SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
+    if (!outcome.failure.empty()) throw std::runtime_error(outcome.failure);
     return {(times.back() - times.front()) / Few, double(outcome.summary.stepsTaken) / Few};
 }
 
