@@ -40,15 +40,20 @@ bool isNearSingular(const Mechanism& mechanism, const State& state) {
     return count.rank > 0 && count.smallestKept < Near;
 }
 
+// Of Simbody's messages.
+constexpr const char *TooShort = "Unable to advance time past",
+                     *NotProjected = "Failed to achieve required accuracy";
+
 bool isStuck(const std::exception& exception) {
-    return std::string(exception.what()).find("Unable to advance time past") != std::string::npos;
+    const std::string text = exception.what();
+    return text.find(TooShort) != std::string::npos || text.find(NotProjected) != std::string::npos;
 }
 
 namespace {
 
 // Simbody's messages run over several lines, and the commonest of them says nothing of what it means.
 std::string rephrase(std::string text) {
-    if (isStuck(std::runtime_error(text)))
+    if (text.find(TooShort) != std::string::npos)
         return "the integrator does not meet its accuracy however short its steps are";
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;

@@ -19,7 +19,8 @@ void checkAccelerations(const Mechanism& mechanism, const SimTK::State& state);
 /// to explain what has gone wrong, not to predict it. Requires Stage::Position.
 bool isNearSingular(const Mechanism& mechanism, const SimTK::State& state);
 
-/// True of what an integrator throws that does not meet its accuracy however short its steps are.
+/// True of what is thrown where an integrator does not meet its accuracy however short its steps are, or constraints
+/// are not met to their tolerance.
 bool isStuck(const std::exception& exception);
 
 /// Why a simulation ended at a State: the time, the equation with the largest error, a singular position if it

@@ -21,6 +21,7 @@ namespace {
 struct IntegratorEntry {
     const char* name;
     std::unique_ptr<Integrator> (*make)(const MultibodySystem&);
+    bool remembersSteps = false;  ///< a multistep method, which begins anew if a state is changed
 };
 
 template <class Type>
@@ -33,7 +34,7 @@ const IntegratorEntry Integrators[] = {
     {"RungeKutta3", makeIntegrator<SimTK::RungeKutta3Integrator>},
     {"Verlet", makeIntegrator<SimTK::VerletIntegrator>},
     {"SemiExplicitEuler2", makeIntegrator<SimTK::SemiExplicitEuler2Integrator>},
-    {"CPodes", makeIntegrator<SimTK::CPodesIntegrator>}};
+    {"CPodes", makeIntegrator<SimTK::CPodesIntegrator>, true}};
 
 const IntegratorEntry& findEntry(const std::string& name) {
     for (const IntegratorEntry& entry : Integrators)
@@ -47,10 +48,9 @@ std::unique_ptr<Integrator> makeIntegrator(const Mechanism& mechanism, const Sim
     std::unique_ptr<Integrator> integrator = entry.make(mechanism.getSystem());
     integrator->setAccuracy(options.accuracy);
     integrator->setConstraintTolerance(options.getConstraintTolerance());
-    // Near a singular position an error of velocities, divided by the distance, is one of accelerations.
-    integrator->setProjectEveryStep(true);
     if (std::isfinite(options.maximumStep))
         integrator->setMaximumStepSize(options.maximumStep * mechanism.getUnits().time);
+    integrator->setProjectEveryStep(entry.remembersSteps);
     integrator->setAllowInterpolation(false);
     integrator->setReturnEveryInternalStep(true);
     return integrator;
@@ -79,6 +79,7 @@ public:
         const Real end = std::min(time, getState().getTime() + calcTimeOfARadian(m_mechanism, getState()));
         try {
             advance(*m_integrator, end);
+            project(*m_integrator);
         } catch (const std::exception& exception) {
             if (!isStuck(exception) || !crossSingularPosition(time)) throw;
         }
@@ -93,15 +94,34 @@ private:
     }
 
     static void advance(Integrator& integrator, Real end) {
-        if (integrator.stepTo(end, end) == Integrator::EndOfSimulation)
-            throw Error("integrator", "ended before its time");
+        auto status = integrator.stepTo(end, end);
+        if (status == Integrator::StartOfContinuousInterval) status = integrator.stepTo(end, end);
+        if (status == Integrator::EndOfSimulation) throw Error("integrator", "ended before its time");
+    }
+
+    // Near a singular position an error of velocities, divided by the distance, is one of accelerations. Integrators can
+    // be told to project every step, but then they project their estimates of errors as well, and in trees of few
+    // freedoms take steps that are too long.
+    void project(Integrator& integrator) const {
+        const MultibodySystem& system = m_mechanism.getSystem();
+        SimTK::ProjectOptions options(m_options.getConstraintTolerance());
+        options.setOption(SimTK::ProjectOptions::ForceProjection);
+        SimTK::ProjectResults results;
+        SimTK::Vector noErrors;
+        if (m_entry.remembersSteps || integrator.getState().getNMultipliers() == 0) return;
+        State& state = integrator.updAdvancedState();
+        system.realize(state, SimTK::Stage::Position);
+        system.projectQ(state, noErrors, options, results);
+        system.realize(state, SimTK::Stage::Velocity);
+        system.projectU(state, noErrors, options, results);
+        integrator.reinitialize(SimTK::Stage::Position, false);
     }
 
     // Next to a singular position accelerations are nothing but rounding errors divided by the distance, and no step
     // is short enough. From a little before it one step of fixed length leads across, by stages that are not near.
     // False if the integrator is not stuck for that reason.
     bool crossSingularPosition(Real time) {
-        constexpr Real Turn = 1.5e-4, Beyond = 1. / 3, Wider = 8;  // rad; of the way there
+        constexpr Real Turn = 1e-3, Beyond = 1. / 3, Wider = 8;  // rad; of the way there
         constexpr int MostAttempts = 3;
         State state = getState();
         m_mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
@@ -113,14 +133,18 @@ private:
         state = integrate(state, there - before, *makeIntegrator(m_mechanism, m_options, m_entry));
         m_crossedUntil = std::min(time, there + Beyond * before);
         const auto across = makeIntegrator(m_mechanism, m_options, Integrators[0]);
+        across->setProjectEveryStep(true);
         across->setFixedStepSize(m_crossedUntil - state.getTime());
         restart(integrate(state, m_crossedUntil, *across));
         return true;
     }
 
-    static State integrate(const State& from, Real end, Integrator& integrator) {
+    State integrate(const State& from, Real end, Integrator& integrator) const {
         integrator.initialize(from);
-        while (integrator.getTime() < end) advance(integrator, end);
+        while (integrator.getTime() < end) {
+            advance(integrator, end);
+            project(integrator);
+        }
         return integrator.getState();
     }
 
