@@ -94,7 +94,7 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
             equations.push_back({name.element,
                                  isNamed ? name.equations[number] : fmt::format("equation {}", number + 1),
                                  level, constraint.getConstraintIndex(), number, int(first) + k,
-                                 primitive && primitive->isTranslational()});
+                                 primitive ? primitive->isTranslational() : name.isLength});
         }
     };
     append(mp, firstP, EquationLevel::Holonomic);
@@ -115,7 +115,7 @@ const char* getName(EquationLevel level) {
 
 ElementNames nameElements(const std::vector<Joint>& joints) {
     ElementNames names;
-    for (const Joint& joint : joints)
+    for (const Joint& joint : joints) {
         for (int p = 0; p < int(joint.getPrimitives().size()); ++p) {
             const Primitive& primitive = joint.getPrimitives()[p];
             ElementName& name = names[primitive.getConstraintIndex()];
@@ -123,6 +123,10 @@ ElementNames nameElements(const std::vector<Joint>& joints) {
             for (int k = 0; k < primitive.getNumEquations(); ++k)
                 name.equations.push_back(joint.describeEquation(p, k));
         }
+        for (const GeneralConstraint& equation : joint.getEquations())
+            names[equation.getConstraintIndex()] = {
+                joint.getDescription(), {"its own equation"}, joint.getPrimitives().empty()};
+    }
     return names;
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "jprim/base/error.h"
 #include "jprim/marker/load.h"
 
@@ -82,8 +84,9 @@ std::vector<SimTK::Constraint> Mechanism::getConstraints(const std::string& elem
     for (const Connection& connection : m_connections)
         if (connection.name == element) {
             if (connection.joint) return connection.joint->getConstraints();
-            throw Error(element, "is a mobilizer of the tree and cannot be switched; use the formulation by "
-                                 "constraints");
+            throw Error(element,
+                        "is a mobilizer of the tree and cannot be switched; use the formulation by "
+                        "constraints");
         }
     for (const Equation& equation : m_equations)
         if (equation.name == element) return {equation.constraint};
@@ -96,31 +99,22 @@ ElementNames Mechanism::getElementNames() const {
         if (connection.joint) joints.push_back(*connection.joint);
     ElementNames names = nameElements(joints);
     for (const Equation& equation : m_equations)
-        names[equation.constraint.getConstraintIndex()] = {equation.name, {"its equation"}};
+        names[equation.constraint.getConstraintIndex()] = {
+            equation.name, {"its equation"}, equation.isLength};
     return names;
 }
 
-// Within each level Simbody numbers the equations in the order in which constraints were added.
-std::vector<Mechanism::EquationName> Mechanism::findEquations(const State& state) const {
-    std::array<std::vector<EquationName>, 3> levels;
-    const auto add = [&](const std::string& element, const SimTK::Constraint& constraint, bool isLength) {
-        if (constraint.isDisabled(state)) return;
-        std::array<int, 3> counts{};
-        constraint.getNumConstraintEquationsInUse(state, counts[0], counts[1], counts[2]);
-        for (size_t level = 0; level < levels.size(); ++level)
-            levels[level].insert(levels[level].end(), size_t(counts[level]), {element, isLength, level == 0});
-    };
+std::vector<ConstraintEquation> Mechanism::findEquations(const State& state) const {
+    ElementNames names = getElementNames();
     for (const Connection& connection : m_connections) {
         if (!connection.joint) continue;
-        for (const Primitive& primitive : connection.joint->getPrimitives())
-            add(connection.name, primitive, primitive.isTranslational());
-        for (const GeneralConstraint& equation : connection.joint->getEquations())
-            add(connection.name, equation, connection.joint->getPrimitives().empty());
+        for (const SimTK::Constraint& constraint : connection.joint->getConstraints())
+            names[constraint.getConstraintIndex()].element = connection.name;
     }
-    for (const Equation& equation : m_equations) add(equation.name, equation.constraint, equation.isLength);
-    std::vector<EquationName> all;
-    for (const auto& level : levels) all.insert(all.end(), level.begin(), level.end());
-    return all;
+    std::vector<ConstraintEquation> equations = jprim::findEquations(getMatter(), state, names);
+    std::sort(equations.begin(), equations.end(),
+              [](const auto& a, const auto& b) { return a.multiplier < b.multiplier; });
+    return equations;
 }
 
 }  // namespace jprim

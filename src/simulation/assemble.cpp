@@ -176,13 +176,13 @@ std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& s
 }  // namespace
 
 Violation calcViolation(const Mechanism& mechanism, const State& state) {
-    const std::vector<Mechanism::EquationName> equations = mechanism.findEquations(state);
     const Vector& errors = state.getQErr();
     Violation violation;
-    for (size_t k = 0; k < equations.size() && equations[k].isHolonomic; ++k) {
-        const Real error = std::abs(errors[int(k)]);
-        if (error > std::max(violation.length, violation.angle)) violation.element = equations[k].element;
-        Real& worst = equations[k].isLength ? violation.length : violation.angle;
+    for (const ConstraintEquation& equation : mechanism.findEquations(state)) {
+        if (equation.level != EquationLevel::Holonomic) break;
+        const Real error = std::abs(errors[equation.multiplier]);
+        if (error > std::max(violation.length, violation.angle)) violation.element = equation.element;
+        Real& worst = equation.isLength ? violation.length : violation.angle;
         worst = std::max(worst, error);
     }
     return violation;

@@ -49,7 +49,8 @@ void keepWorst(Violation& worst, const Violation& now) {
 
 bool isHolonomic(const Mechanism& mechanism, const State& state) {
     const auto equations = mechanism.findEquations(state);
-    return std::all_of(equations.begin(), equations.end(), [](const auto& e) { return e.isHolonomic; });
+    return std::all_of(equations.begin(), equations.end(),
+                       [](const auto& e) { return e.level == EquationLevel::Holonomic; });
 }
 
 bool isKinematic(const Mechanism& mechanism, const State& state, int freedoms, SimulationKind kind) {

@@ -27,7 +27,7 @@ struct ConstraintEquation {
     SimTK::ConstraintIndex constraint;  ///< the Simbody constraint it belongs to
     int number = 0;                     ///< its place among that constraint's equations, from 0
     int multiplier = 0;                 ///< its row in G and place among the multipliers
-    bool isLength = false;              ///< of a translational primitive; unknown, so false, of all else
+    bool isLength = false;              ///< its error counts as a length, otherwise as an angle
 
     /// "JOINT/3 REVOLUTE: translation of I along Xj".
     std::string getText() const { return element + ": " + words; }
@@ -37,10 +37,11 @@ struct ConstraintEquation {
 struct ElementName {
     std::string element;
     std::vector<std::string> equations;  ///< words for each; where they end, "equation 3"
+    bool isLength = false;               ///< errors are lengths; a primitive says so itself
 };
 using ElementNames = std::map<SimTK::ConstraintIndex, ElementName>;
 
-/// Names for the primitives that joints are made of: a REVOLUTE, not its ATPOINT and PARALLEL_AXES.
+/// Names for what joints are made of: a REVOLUTE, not its ATPOINT and PARALLEL_AXES.
 ElementNames nameElements(const std::vector<Joint>& joints);
 
 /// All equations in use, in the order in which the constraints were added to the system. Constraints without

@@ -179,14 +179,9 @@ public:
     /// What the constraints are called in a diagnosis: "JOINT/3 REVOLUTE" and what each equation holds.
     ElementNames getElementNames() const;
 
-    /// One constraint equation, as Simbody numbers them: those of positions first (getQErr()), then those of
-    /// velocities, then those of accelerations. Requires Stage::Model.
-    struct EquationName {
-        std::string element;
-        bool isLength = false;  ///< its error counts as a length, otherwise as an angle
-        bool isHolonomic = true;
-    };
-    std::vector<EquationName> findEquations(const SimTK::State& state) const;
+    /// The constraint equations in use by element, "JOINT/3", as Simbody numbers them: those of positions first
+    /// (getQErr()), then those of velocities, then those of accelerations. Requires Stage::Instance.
+    std::vector<ConstraintEquation> findEquations(const SimTK::State& state) const;
 
 private:
     friend class MechanismBuilder;
