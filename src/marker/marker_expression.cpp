@@ -37,26 +37,43 @@ Taylor<Vec3> calcInput(MarkerQuantity quantity, const MarkerMotion& m, const Exp
     }
 }
 
+MarkerMotion findMotion(const Marker& marker, const State& state, InputLevel level) {
+    MarkerMotion motion;
+    motion.X = marker.findPoseInGround(state);
+    if (level >= InputLevel::Velocity) motion.V = marker.findVelocityInGround(state);
+    if (level >= InputLevel::Acceleration) motion.A = marker.findAccelerationInGround(state);
+    return motion;
+}
+
 }  // namespace
 
-void MarkerExpression::setInputs(Real time, const MarkerMotion* motions, Evaluation& evaluation) const {
+std::vector<MarkerMotion> MarkerExpression::findMotions(const State& state, InputLevel level) const {
+    std::vector<MarkerMotion> motions;
+    for (const Marker& marker : markers) motions.push_back(findMotion(marker, state, level));
+    return motions;
+}
+
+void MarkerExpression::setTime(Real time, Evaluation& evaluation) const {
     if (program.getTimeInput() >= 0)
         evaluation.setScalarInput(program.getTimeInput(), {time / units.time, 1 / units.time, 0});
-    for (size_t k = 0; k < vectorInputs.size(); ++k) {
-        const VectorInput& input = vectorInputs[k];
-        evaluation.setVectorInput(int(k), calcInput(input.quantity, motions[input.marker], units));
-    }
+}
+
+void MarkerExpression::setMotion(size_t marker, const MarkerMotion& motion, Evaluation& evaluation) const {
+    for (size_t k = 0; k < vectorInputs.size(); ++k)
+        if (vectorInputs[k].marker == int(marker))
+            evaluation.setVectorInput(int(k), calcInput(vectorInputs[k].quantity, motion, units));
+}
+
+void MarkerExpression::setInputs(Real time, const MarkerMotion* motions, Evaluation& evaluation) const {
+    setTime(time, evaluation);
+    for (size_t k = 0; k < markers.size(); ++k) setMotion(k, motions[k], evaluation);
 }
 
 void MarkerExpression::setInputs(const State& state, Evaluation& evaluation, InputLevel highest) const {
     const InputLevel level = std::min(program.getLevel(), highest);
-    std::vector<MarkerMotion> motions(markers.size());
-    for (size_t k = 0; k < markers.size(); ++k) {
-        motions[k].X = markers[k].findPoseInGround(state);
-        if (level >= InputLevel::Velocity) motions[k].V = markers[k].findVelocityInGround(state);
-        if (level >= InputLevel::Acceleration) motions[k].A = markers[k].findAccelerationInGround(state);
-    }
-    setInputs(state.getTime(), motions.data(), evaluation);
+    setTime(state.getTime(), evaluation);
+    for (size_t k = 0; k < markers.size(); ++k)
+        setMotion(k, findMotion(markers[k], state, level), evaluation);
     if (highest < InputLevel::Acceleration) return;
     for (size_t k = 0; k < scalarInputs.size(); ++k)
         if (scalarInputs[k] && program.usesScalarInput(int(k)))

@@ -63,9 +63,12 @@ struct MarkerExpression : ExpressionInputs {
 
     Program program;
 
+    /// The motions of the markers in a State, as far as a level goes.
+    std::vector<MarkerMotion> findMotions(const SimTK::State& state, InputLevel level) const;
+
     /// Puts time and motions into the inputs of an evaluation: `motions` has one entry for each marker.
     void setInputs(SimTK::Real time, const MarkerMotion* motions, Evaluation& evaluation) const;
-    /// The same from a State, scalar inputs included; only inputs up to a level.
+    /// The same from a State, scalar inputs included; only inputs up to a level. Takes no memory.
     void setInputs(const SimTK::State& state, Evaluation& evaluation,
                    InputLevel highest = InputLevel::Acceleration) const;
 
@@ -77,6 +80,10 @@ struct MarkerExpression : ExpressionInputs {
 
     /// The partial derivative by time, in the system's unit.
     SimTK::Real getTimeDerivative(const Evaluation& evaluation) const;
+
+private:
+    void setTime(SimTK::Real time, Evaluation& evaluation) const;
+    void setMotion(size_t marker, const MarkerMotion& motion, Evaluation& evaluation) const;
 };
 
 }  // namespace jprim

@@ -1,33 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluating takes no memory. Counts what operator new is asked for, in the whole of this program.
+// Evaluating takes no memory.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "expression/compiling.h"
-
-namespace {
-
-std::atomic<int> allocations{0};
-
-}  // namespace
-
-// Not inlined, or GCC takes malloc and operator delete for a mismatched pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
+#include "support/allocations.h"
 
 namespace jprim::testing {
 namespace {
@@ -39,7 +15,7 @@ TEST(ExpressionEvaluation, TakesNoMemory) {
     const Taylor<Vec3> r{Vec3(1, 2, 4), Vec3(1), Vec3(2)}, v{Vec3(2, -1, 3), Vec3(2), Vec3(1)};
     const int rInput = expression.vocabulary.inputs.at("RV"), vInput = expression.vocabulary.inputs.at("VV");
 
-    const int before = allocations;
+    const int before = getNumAllocations();
     evaluation.setVectorInput(rInput, r);
     evaluation.setVectorInput(vInput, v);
     for (int i = 0; i < expression.getProgram().getNumScalarInputs(); ++i)
@@ -49,13 +25,13 @@ TEST(ExpressionEvaluation, TakesNoMemory) {
     const Taylor<Real> taylor = evaluation.calcTaylor();
     evaluation.calcGradient();
     const Vec3 gradient = evaluation.getVectorGradient(rInput);
-    const int after = allocations;
+    const int after = getNumAllocations();
 
     EXPECT_EQ(after, before);
     EXPECT_EQ(value, taylor.value);
     EXPECT_GT(gradient.norm(), 0);
     const Evaluation copy = evaluation;  // the counter counts
-    EXPECT_GT(allocations, after);
+    EXPECT_GT(getNumAllocations(), after);
 }
 
 }  // namespace
