@@ -56,6 +56,22 @@ GeneralConstraint& GeneralConstraint::setDefaultScale(Real scale) {
     return *this;
 }
 
+void GeneralConstraint::dropEquation(State& state) const {
+    getImpl().setDropped(state, true);
+}
+
+void GeneralConstraint::restoreEquation(State& state) const {
+    getImpl().setDropped(state, false);
+}
+
+bool GeneralConstraint::isEquationDropped(const State& state) const {
+    return getImpl().isDropped(state);
+}
+
+Real GeneralConstraint::calcEquationError(const State& state) const {
+    return getImpl().calcEquationError(state);
+}
+
 SpatialVec GeneralConstraint::calcReactionOn(const State& state, int marker) const {
     if (isDisabled(state)) return SpatialVec(Vec3(0), Vec3(0));
     return getImpl().calcLoadOn(state, marker);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "general/general_constraint_impl.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -84,6 +82,7 @@ void GeneralConstraintImpl::realizeTopology(State& state) const {
     if (m_function) cache.function.emplace(m_function->program);
     m_positionCache = matter.allocateCacheEntry(state, Stage::Position, new Value<PositionCache>(cache));
     m_bias = matter.allocateCacheEntry(state, Stage::Velocity, new Value<Real>());
+    m_isDropped = matter.allocateDiscreteVariable(state, Stage::Position, new Value<bool>(false));
 }
 
 GeneralConstraintImpl::PositionCache& GeneralConstraintImpl::updPositionCache(const State& state) const {
@@ -115,15 +114,19 @@ Real GeneralConstraintImpl::getBias(const State& state) const {
 }
 
 //--------------------------------------------------------------------------------- the expression
-void GeneralConstraintImpl::calcPositionCache(const State& state, PositionCache& cache) const {
-    std::fill(cache.directions.begin(), cache.directions.end(), Nothing);
-    std::fill(cache.modalDirections.begin(), cache.modalDirections.end(), 0);
+void GeneralConstraintImpl::placeMarkers(const State& state, PositionCache& cache) const {
     for (size_t k = 0; k < m_markers.size(); ++k) {
         const ConstrainedMarker& m = m_markers[k];
         cache.motions[k].X = m.calcPose(getBodyTransformFromState(state, m.body),
                                         m_coordinate->markers[k].getPose(), m.getEta(state));
         cache.motions[k].V = cache.motions[k].A = Nothing;
     }
+}
+
+void GeneralConstraintImpl::calcPositionCache(const State& state, PositionCache& cache) const {
+    std::fill(cache.directions.begin(), cache.directions.end(), Nothing);
+    std::fill(cache.modalDirections.begin(), cache.modalDirections.end(), 0);
+    placeMarkers(state, cache);
     Evaluation& q = *cache.coordinate;
     m_coordinate->setInputs(state.getTime(), cache.motions.data(), q);
     m_angles.recall(state, q);
@@ -143,24 +146,6 @@ void GeneralConstraintImpl::calcPositionCache(const State& state, PositionCache&
     }
 }
 
-// A distance has no derivative at zero, where it takes three equations to keep it.
-std::string GeneralConstraintImpl::findVanished(const PositionCache& cache, Real distance) const {
-    for (const auto& [i, j] : m_coordinate->distances) {
-        const auto origin = [&](int marker) { return marker < 0 ? Vec3(0) : cache.motions[marker].X.p(); };
-        if ((origin(i) - origin(j)).norm() > distance) continue;
-        const auto id = [&](int marker) { return marker < 0 ? 0 : m_coordinate->markerIds[marker]; };
-        return fmt::format(
-            "the distance between markers {} and {} has become zero, where a single equation "
-            "cannot keep it; to hold two points together use JPRIM ATPOINT",
-            id(i), id(j));
-    }
-    return "";
-}
-
-std::string GeneralConstraintImpl::findProblem(const State& state) const {
-    return findVanished(getPositionCache(state), 1e-7);
-}
-
 // q'' where bodies and coordinates have their velocities and no acceleration.
 Real GeneralConstraintImpl::calcBias(const State& state) const {
     getPositionCache(state);
@@ -177,6 +162,10 @@ Real GeneralConstraintImpl::calcBias(const State& state) const {
     m_angles.recall(state, *cache.coordinate);
     const Taylor<Real> q = cache.coordinate->calcTaylor();
     return m_coordinate->program.getLevel() == InputLevel::Velocity ? q.first : q.second;
+}
+
+Real GeneralConstraintImpl::reduce(Real error) const {
+    return m_period > 0 && isHolonomic() ? std::remainder(error, m_period) : error;
 }
 
 Taylor<Real> GeneralConstraintImpl::calcFunction(const State& state) const {
@@ -203,9 +192,9 @@ Real GeneralConstraintImpl::multiply(const State& state, const Motions& motions,
 template <class Index>
 void GeneralConstraintImpl::addForces(const State& state, const Reals& lambda, Motions& forces_A,
                                       Coordinates<Index>& modalForces) const {
-    if (lambda[0] == 0) return;
+    const Real factor = getScale(state) * lambda[0];
+    if (factor == 0) return;
     const PositionCache& cache = getPositionCache(state);
-    const Real factor = m_scale * lambda[0];
     for (int b = 0; b < m_numBodies; ++b) forces_A[ConstrainedBodyIndex(b)] += factor * cache.directions[b];
     for (int i = 0; i < m_numCoordinates; ++i) modalForces[Index(i)] += factor * cache.modalDirections[i];
 }
@@ -221,21 +210,20 @@ void GeneralConstraintImpl::calcPositionErrors(const State& state, const Poses& 
     }
     m_coordinate->setInputs(state.getTime(), cache.motions.data(), *cache.coordinate);
     m_angles.recall(state, *cache.coordinate);
-    const Real error = cache.coordinate->calcValue() - calcFunction(state).value;
-    e[0] = m_scale * (m_period > 0 ? std::remainder(error, m_period) : error);
+    e[0] = getScale(state) * reduce(cache.coordinate->calcValue() - calcFunction(state).value);
 }
 
 void GeneralConstraintImpl::calcPositionDotErrors(const State& state, const Motions& V_AB,
                                                   const Coordinates<ConstrainedQIndex>& qDot,
                                                   Reals& e) const {
     const Real rateAtRest = getPositionCache(state).rateAtRest;
-    e[0] = m_scale * (multiply(state, V_AB, qDot) + rateAtRest - calcFunction(state).first);
+    e[0] = getScale(state) * (multiply(state, V_AB, qDot) + rateAtRest - calcFunction(state).first);
 }
 
 void GeneralConstraintImpl::calcPositionDotDotErrors(const State& state, const Motions& A_AB,
                                                      const Coordinates<ConstrainedQIndex>& qDotDot,
                                                      Reals& e) const {
-    e[0] = m_scale * (multiply(state, A_AB, qDotDot) + getBias(state) - calcFunction(state).second);
+    e[0] = getScale(state) * (multiply(state, A_AB, qDotDot) + getBias(state) - calcFunction(state).second);
 }
 
 void GeneralConstraintImpl::addInPositionConstraintForces(const State& state, const Reals& lambda,
@@ -247,13 +235,13 @@ void GeneralConstraintImpl::addInPositionConstraintForces(const State& state, co
 void GeneralConstraintImpl::calcVelocityErrors(const State& state, const Motions& V_AB,
                                                const Coordinates<ConstrainedUIndex>& u, Reals& e) const {
     const Real rateAtRest = getPositionCache(state).rateAtRest;
-    e[0] = m_scale * (multiply(state, V_AB, u) + rateAtRest - calcFunction(state).value);
+    e[0] = getScale(state) * (multiply(state, V_AB, u) + rateAtRest - calcFunction(state).value);
 }
 
 void GeneralConstraintImpl::calcVelocityDotErrors(const State& state, const Motions& A_AB,
                                                   const Coordinates<ConstrainedUIndex>& uDot,
                                                   Reals& e) const {
-    e[0] = m_scale * (multiply(state, A_AB, uDot) + getBias(state) - calcFunction(state).first);
+    e[0] = getScale(state) * (multiply(state, A_AB, uDot) + getBias(state) - calcFunction(state).first);
 }
 
 void GeneralConstraintImpl::addInVelocityConstraintForces(const State& state, const Reals& lambda,
@@ -265,29 +253,13 @@ void GeneralConstraintImpl::addInVelocityConstraintForces(const State& state, co
 void GeneralConstraintImpl::calcAccelerationErrors(const State& state, const Motions& A_AB,
                                                    const Coordinates<ConstrainedUIndex>& uDot,
                                                    Reals& e) const {
-    e[0] = m_scale * (multiply(state, A_AB, uDot) + getBias(state) - calcFunction(state).value);
+    e[0] = getScale(state) * (multiply(state, A_AB, uDot) + getBias(state) - calcFunction(state).value);
 }
 
 void GeneralConstraintImpl::addInAccelerationConstraintForces(const State& state, const Reals& lambda,
                                                               Motions& forces_A,
                                                               Coordinates<ConstrainedUIndex>& uForces) const {
     addForces(state, lambda, forces_A, uForces);
-}
-
-// Simbody's multipliers are minus the applied load.
-SpatialVec GeneralConstraintImpl::calcLoadOn(const State& state, int markerId) const {
-    const int marker = m_coordinate->findMarker(markerId);
-    if (marker < 0) return Nothing;
-    Array_<Real> lambda;
-    getMultipliers(state, lambda);
-    std::vector<MarkerMotion> motions(m_markers.size());
-    for (size_t k = 0; k < m_markers.size(); ++k)
-        motions[k].X = m_coordinate->markers[k].findPoseInGround(state);
-    Evaluation q(m_coordinate->program);
-    m_coordinate->setInputs(state.getTime(), motions.data(), q);
-    q.calcValue();
-    q.calcGradient();
-    return -m_scale * lambda[0] * m_coordinate->getDirection(q, motions.data(), marker);
 }
 
 }  // namespace jprim

@@ -35,8 +35,11 @@ public:
         invalidateTopologyCache();
         m_scale = scale;
     }
-    /// [moment, force] in Ground on a marker at its origin.
+    bool isDropped(const SimTK::State& state) const;
+    void setDropped(SimTK::State& state, bool isDropped) const;
+    SimTK::Real calcEquationError(const SimTK::State& state) const;
     std::string findProblem(const SimTK::State& state) const;
+    /// [moment, force] in Ground on a marker at its origin.
     SimTK::SpatialVec calcLoadOn(const SimTK::State& state, int markerId) const;
 
 private:
@@ -82,9 +85,13 @@ private:
     std::string findVanished(const PositionCache& cache, SimTK::Real distance) const;
     PositionCache& updPositionCache(const SimTK::State& state) const;
     const PositionCache& getPositionCache(const SimTK::State& state) const;
+    void placeMarkers(const SimTK::State& state, PositionCache& cache) const;  // at rest
     void calcPositionCache(const SimTK::State& state, PositionCache& cache) const;
     SimTK::Real getBias(const SimTK::State& state) const;
     SimTK::Real calcBias(const SimTK::State& state) const;
+    SimTK::Real reduce(SimTK::Real error) const;  // by whole periods
+    // What is dropped is the equation 0 = 0.
+    SimTK::Real getScale(const SimTK::State& state) const { return isDropped(state) ? 0 : m_scale; }
     Taylor<SimTK::Real> calcFunction(const SimTK::State& state) const;
     template <class Index>
     SimTK::Real multiply(const SimTK::State& state, const Motions& motions,
@@ -108,6 +115,7 @@ private:
     mutable SimTK::SubsystemIndex m_subsystem;
     mutable SimTK::CacheEntryIndex m_positionCache;
     mutable SimTK::CacheEntryIndex m_bias;
+    mutable SimTK::DiscreteVariableIndex m_isDropped;
 };
 
 }  // namespace jprim

@@ -10,6 +10,7 @@
 #include "jprim/base/error.h"
 #include "simulation/assembly_conditions.h"
 #include "simulation/initial_velocities.h"
+#include "simulation/redundancy.h"
 
 namespace jprim {
 
@@ -207,10 +208,24 @@ void addMisfits(const Mechanism& mechanism, const State& given, Violation& viola
     }
 }
 
+// Simbody's optimizer counts an equation that no motion changes as one unknown less. Where there are no others they
+// step aside, if they are satisfied before and after. Returns false if that is not so.
+bool assembleWithoutEmpty(const Mechanism& mechanism, const Aim& aim, State& state) {
+    if (isViolated(calcViolation(mechanism, state)) ||
+        !holdNothing(countFreedoms(mechanism.getMatter(), state)))
+        return false;
+    const DroppedEquations dropped(mechanism, state);
+    assemblePositions(mechanism, aim, state);
+    dropped.restore(state);
+    mechanism.getSystem().realize(state, Stage::Position);
+    return !isViolated(calcViolation(mechanism, state));
+}
+
 void assemblePositions(const Mechanism& mechanism, const Aim& aim, AssembledState& result) {
     const bool misplaced =
         aim.holdGiven && findCoordinateError(mechanism, result.state).first > AssemblyTolerance;
     if (!isViolated(result.before) && !misplaced) return;
+    if (assembleWithoutEmpty(mechanism, aim, result.state)) return;
     assemblePositions(mechanism, aim, result.state);
     mechanism.getSystem().realize(result.state, Stage::Position);
 }

@@ -6,53 +6,86 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "jprim/analysis/constraint_report.h"
-
 namespace jprim {
 
+using SimTK::Constraint;
 using SimTK::Real;
 using SimTK::State;
 
-namespace {
+DroppedEquations::Dropped DroppedEquations::drop(const Primitive& primitive,
+                                                 const ConstraintEquation& equation, State& state) {
+    const int k = equation.number;
+    primitive.dropEquation(state, k);
+    return {equation, false, [primitive, k](const State& s) { return primitive.calcEquationError(s, k); },
+            [primitive, k](State& s) { primitive.restoreEquation(s, k); }};
+}
 
-const Primitive* findPrimitive(const Mechanism& mechanism, SimTK::ConstraintIndex index) {
+DroppedEquations::Dropped DroppedEquations::drop(const GeneralConstraint& constraint,
+                                                 const ConstraintEquation& equation, State& state) {
+    constraint.dropEquation(state);
+    return {equation, false, [constraint](const State& s) { return constraint.calcEquationError(s); },
+            [constraint](State& s) { constraint.restoreEquation(s); }};
+}
+
+DroppedEquations::Dropped DroppedEquations::drop(const Mechanism& mechanism,
+                                                 const ConstraintEquation& equation, State& state) {
+    const auto isIts = [&](const Constraint& c) { return c.getConstraintIndex() == equation.constraint; };
     for (const Connection& connection : mechanism.getConnections()) {
         if (!connection.joint) continue;
         for (const Primitive& primitive : connection.joint->getPrimitives())
-            if (primitive.getConstraintIndex() == index) return &primitive;
+            if (isIts(primitive)) return drop(primitive, equation, state);
+        for (const GeneralConstraint& constraint : connection.joint->getEquations())
+            if (isIts(constraint)) return drop(constraint, equation, state);
     }
-    return nullptr;
+    for (const Equation& element : mechanism.getEquations())
+        if (isIts(element.constraint)) return drop(element.constraint, equation, state);
+    throw std::logic_error(equation.getText() + " is of no element");
 }
 
-}  // namespace
-
-// The equation of a GCON, MOTION or COUPLER stays: it has no load that a user would miss, and its least-norm
-// share does no harm.
 DroppedEquations::DroppedEquations(const Mechanism& mechanism, State& state)
     : m_lengthUnit(mechanism.getUnits().length) {
     const ConstraintReport report =
         analyzeConstraints(mechanism.getMatter(), state, mechanism.getElementNames());
     for (const RedundantEquation& redundant : report.redundant) {
-        const ConstraintEquation& equation = report.equations[size_t(redundant.equation)];
-        const Primitive* primitive = findPrimitive(mechanism, equation.constraint);
-        if (redundant.onlyHere || !primitive) continue;
-        primitive->dropEquation(state, equation.number);
-        m_dropped.push_back({*primitive, equation.number});
-        m_texts.push_back(equation.getText());
+        if (redundant.onlyHere) continue;
+        m_dropped.push_back(drop(mechanism, report.equations[size_t(redundant.equation)], state));
+        m_dropped.back().isEmpty = redundant.dependsOn.empty();
+    }
+    if (m_dropped.size() < report.equations.size()) return;
+    for (const Dropped& dropped : m_dropped) {
+        const Constraint& constraint = mechanism.getMatter().getConstraint(dropped.equation.constraint);
+        constraint.disable(state);
+        m_disabled.push_back(constraint);
     }
 }
 
+std::vector<std::string> DroppedEquations::getTexts() const {
+    std::vector<std::string> texts;
+    for (const Dropped& dropped : m_dropped) texts.push_back(dropped.equation.getText());
+    return texts;
+}
+
+std::string DroppedEquations::describeViolation(const Dropped& dropped, Real error) const {
+    const char* const PerTime[] = {"", "/s", "/s^2"};
+    const bool isLength = dropped.equation.isLength;
+    return fmt::format(
+        "{}, which was dropped because {}, is violated by {:.3g} {}{}: {}", dropped.equation.getText(),
+        dropped.isEmpty ? "no motion changed it" : "it followed from other equations",
+        isLength ? std::abs(error) / m_lengthUnit : std::abs(error), isLength ? "length units" : "rad",
+        PerTime[int(dropped.equation.level)],
+        dropped.isEmpty ? "by itself it cannot hold what it says" : "it is in conflict with them now");
+}
+
 void DroppedEquations::check(const State& state, Real tolerance) const {
-    for (size_t k = 0; k < m_dropped.size(); ++k) {
-        const Real error = m_dropped[k].primitive.calcEquationError(state, m_dropped[k].equation);
-        if (std::abs(error) <= tolerance) continue;
-        const bool isLength = m_dropped[k].primitive.isTranslational();
-        throw std::runtime_error(fmt::format(
-            "{}, which was dropped because it followed from other equations, is violated by {:.3g} {}: it is "
-            "in conflict with them now",
-            m_texts[k], isLength ? std::abs(error) / m_lengthUnit : std::abs(error),
-            isLength ? "length units" : "rad"));
+    for (const Dropped& dropped : m_dropped) {
+        const Real error = dropped.calcError(state);
+        if (std::abs(error) > tolerance) throw std::runtime_error(describeViolation(dropped, error));
     }
+}
+
+void DroppedEquations::restore(State& state) const {
+    for (const Dropped& dropped : m_dropped) dropped.restore(state);
+    for (const Constraint& constraint : m_disabled) constraint.enable(state);
 }
 
 }  // namespace jprim

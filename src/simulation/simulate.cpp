@@ -80,7 +80,7 @@ public:
         const auto started = std::chrono::steady_clock::now();
         State prepared = initial;
         prepare(prepared);
-        makeStepper(prepared);
+        m_stepper = makeStepperFrom(prepared);
         try {
             for (int k = 0; k <= m_options.steps && !m_firing; ++k) {
                 const double fraction = k == 0 ? 0 : double(k) / m_options.steps;
@@ -94,6 +94,7 @@ public:
         }
         m_outcome.results = std::move(m_recorder.updResults());
         m_outcome.finalState = m_stepper->getState();
+        if (m_dropped) m_dropped->restore(m_outcome.finalState);
         m_outcome.summary.stepsTaken = m_numSteps + (m_firing ? 1 : 0);
         m_outcome.summary.wallSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
@@ -103,19 +104,15 @@ public:
 private:
     void prepare(State& state) {
         m_mechanism.getSystem().realize(state, Stage::Velocity);
-        if (m_options.redundancy != Redundancy::Drop) return;
-        m_dropped.emplace(m_mechanism, state);
-        m_outcome.summary.droppedEquations = m_dropped->getTexts();
-        m_mechanism.getSystem().realize(state, Stage::Velocity);
-    }
-
-    void makeStepper(const State& initial) {
+        const ConstraintCount count = countFreedoms(m_mechanism.getMatter(), state);
         SimulationSummary& summary = m_outcome.summary;
-        const ConstraintCount count = countFreedoms(m_mechanism.getMatter(), initial);
         summary.degreesOfFreedom = count.getDegreesOfFreedom();
         summary.redundantEquations = count.getNumRedundant();
-        summary.isKinematic = isKinematic(m_mechanism, initial, summary.degreesOfFreedom, m_options.kind);
-        m_stepper = makeStepperFrom(initial);
+        summary.isKinematic = isKinematic(m_mechanism, state, summary.degreesOfFreedom, m_options.kind);
+        if (m_options.redundancy != Redundancy::Drop && !holdNothing(count)) return;
+        m_dropped.emplace(m_mechanism, state);
+        summary.droppedEquations = m_dropped->getTexts();
+        m_mechanism.getSystem().realize(state, Stage::Velocity);
     }
 
     std::unique_ptr<Stepper> makeStepperFrom(const State& state) const {

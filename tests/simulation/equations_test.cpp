@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "jprim/simulation/equilibrium.h"
 #include "support/dataset_units.h"
 #include "support/expect_error.h"
 #include "support/run_dataset.h"
@@ -96,19 +97,64 @@ TEST_P(Equations, ThreeOfThemAreAnAtpoint) {
     expectSame(equations.requests, primitive.requests, u.m);
 }
 
-// The guard that the manual advises for PARALLEL_AXES has no gradient where it holds: it takes nothing away.
-// (In a tree it would be the only equation, and Simbody cannot solve for nothing but vanishing ones.)
+//----------------------------------------------------------------- equations that no motion changes
+constexpr Formulation Formulations[] = {Formulation::Tree, Formulation::Constraints};
+const std::string Guard = "GCON/1,FUNCTION=UVZ(21)*UVZ(10)-1\n";
+
+// The guard that the manual advises for PARALLEL_AXES has no gradient where it holds: it takes nothing away. In a
+// tree it is the only equation.
 TEST_P(Equations, AGuardOfParallelAxesIsRedundant) {
-    const auto run = [this](const std::string& guard) {
-        const std::string text =
-            makePendulum(u, "JPRIM/1,ATPOINT,I=21,J=10\nJPRIM/2,PARALLEL_AXES,I=21,J=10\n" + guard);
-        return testing::run(buildOrFail(text, {Formulation::Constraints}), 2 * u.s, 10, 1e-10);
-    };
-    const SimulationOutcome with = run("GCON/1,FUNCTION=UVZ(21)*UVZ(10)-1\n"), without = run("");
-    EXPECT_EQ(with.summary.degreesOfFreedom, 1);
-    EXPECT_EQ(with.summary.redundantEquations, 1);
-    EXPECT_EQ(without.summary.redundantEquations, 0);
-    expectSame(with.results.parts, without.results.parts, u.m);
+    for (const Formulation formulation : Formulations) {
+        SCOPED_TRACE(int(formulation));
+        const auto run = [&](const std::string& guard) {
+            const std::string text =
+                makePendulum(u, "JPRIM/1,ATPOINT,I=21,J=10\nJPRIM/2,PARALLEL_AXES,I=21,J=10\n" + guard);
+            return testing::run(buildOrFail(text, {formulation}), 2 * u.s, 10, 1e-10);
+        };
+        const SimulationOutcome with = run(Guard), without = run("");
+        EXPECT_EQ(with.summary.degreesOfFreedom, 1);
+        EXPECT_EQ(with.summary.redundantEquations, 1);
+        EXPECT_EQ(without.summary.redundantEquations, 0);
+        EXPECT_EQ(with.summary.droppedEquations.size(), formulation == Formulation::Tree ? 1 : 0);
+        expectSame(with.results.parts, without.results.parts, u.m);
+        EXPECT_EQ(with.results.reactions.getColumn("GCON/1.I.TX"), std::vector<double>(11, 0));
+    }
+}
+
+// Positions that have to be found first, a given angle, and the search of an equilibrium.
+TEST_P(Equations, AGuardDisturbsNoAssembly) {
+    for (const Formulation formulation : Formulations) {
+        SCOPED_TRACE(int(formulation));
+        std::string text = makePendulum(u, "JOINT/1,REVOLUTE,I=21,J=10,IC=0.4\n" + Guard);
+        text.replace(text.find(",WX="), 4, fmt::format(",QG={},0,0,REULER=0.1,0,0.05,WX=", 0.1 * u.m));
+        const Mechanism mechanism = buildOrFail(text, {formulation});
+        const AssembledState initial = assemble(mechanism);
+        EXPECT_EQ(initial.moved.size(), 1u);
+        EXPECT_LT(initial.after.angle, Tolerance);
+        AssembledState again = reassemble(mechanism, initial.state);
+        again.state = findEquilibrium(mechanism, again.state);
+        SimulationOptions options;
+        options.end = 0.5 * u.s;
+        options.steps = 5;
+        const SimulationOutcome outcome = simulate(mechanism, again, options);
+        EXPECT_EQ(outcome.failure, "");
+        EXPECT_NEAR(outcome.results.parts.getColumn("PART/2.VZ").back(), 0, 1e-5 * u.m);
+    }
+}
+
+// Alone it keeps nothing parallel: a body that turns about another axis violates it.
+TEST_P(Equations, AGuardOfNothingIsViolated) {
+    const Mechanism mechanism = buildOrFail(makePendulum(u, Guard));
+    SimulationOptions options;
+    options.end = 1 * u.s;
+    const SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
+    EXPECT_EQ(outcome.summary.droppedEquations, std::vector<std::string>{"GCON/1: its equation"});
+    EXPECT_NE(outcome.failure.find(
+                  "GCON/1: its equation, which was dropped because no motion changed it, is violated by"),
+              std::string::npos)
+        << outcome.failure;
+    EXPECT_NE(outcome.failure.find(" rad: by itself it cannot hold what it says"), std::string::npos)
+        << outcome.failure;
 }
 
 //------------------------------------------------------------------------------------------ distances

@@ -44,6 +44,18 @@ public:
     /// 1; good where the factor's gradient is about 1.
     GeneralConstraint& setDefaultScale(SimTK::Real scale);
 
+    /// @name Dropping the equation
+    /// As Primitive::dropEquation(): an equation that follows from others then holds nothing and carries no
+    /// load. Needs Stage::Topology and changes Stage::Position.
+    ///@{
+    void dropEquation(SimTK::State& state) const;
+    void restoreEquation(SimTK::State& state) const;
+    bool isEquationDropped(const SimTK::State& state) const;
+    /// The scaled error, also of a dropped equation. Requires the stage that the equation is about:
+    /// Stage::Position of a holonomic one.
+    SimTK::Real calcEquationError(const SimTK::State& state) const;
+    ///@}
+
     /// The load [moment, force] on the marker with this key in the expression, at its origin, in Ground or in
     /// the axes of a marker; zero if the expression does not depend on it, or the constraint is disabled.
     /// Requires Stage::Acceleration.

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// What others ask a GeneralConstraint, as opposed to what Simbody does.
+#include <fmt/format.h>
+
+#include "general/general_constraint_impl.h"
+
+namespace jprim {
+
+using SimTK::Array_;
+using SimTK::Real;
+using SimTK::SpatialVec;
+using SimTK::State;
+using SimTK::Value;
+using SimTK::Vec3;
+
+//--------------------------------------------------------------------------------------- dropping
+bool GeneralConstraintImpl::isDropped(const State& state) const {
+    return static_cast<const Value<bool>&>(state.getDiscreteVariable(m_subsystem, m_isDropped)).get();
+}
+
+void GeneralConstraintImpl::setDropped(State& state, bool isDropped) const {
+    static_cast<Value<bool>&>(state.updDiscreteVariable(m_subsystem, m_isDropped)).upd() = isDropped;
+}
+
+// Simbody knows errors only of equations in use.
+Real GeneralConstraintImpl::calcEquationError(const State& state) const {
+    const std::vector<MarkerMotion> motions = m_coordinate->findMotions(state, InputLevel(m_equationLevel));
+    Evaluation evaluation(m_coordinate->program);
+    m_coordinate->setInputs(state.getTime(), motions.data(), evaluation);
+    m_angles.recall(state, evaluation);
+    const Taylor<Real> q = evaluation.calcTaylor();
+    const int ofVelocity = m_coordinate->program.getLevel() == InputLevel::Velocity ? 1 : 0;
+    const Real derivatives[] = {q.value, q.first, q.second};
+    return m_scale * reduce(derivatives[m_equationLevel - ofVelocity] - calcFunction(state).value);
+}
+
+//--------------------------------------------------------------------------------------- problems
+// A distance has no derivative at zero, where it takes three equations to keep it.
+std::string GeneralConstraintImpl::findVanished(const PositionCache& cache, Real distance) const {
+    for (const auto& [i, j] : m_coordinate->distances) {
+        const auto origin = [&](int marker) { return marker < 0 ? Vec3(0) : cache.motions[marker].X.p(); };
+        if ((origin(i) - origin(j)).norm() > distance) continue;
+        const auto id = [&](int marker) { return marker < 0 ? 0 : m_coordinate->markerIds[marker]; };
+        return fmt::format(
+            "the distance between markers {} and {} has become zero, where a single equation "
+            "cannot keep it; to hold two points together use JPRIM ATPOINT",
+            id(i), id(j));
+    }
+    return "";
+}
+
+std::string GeneralConstraintImpl::findProblem(const State& state) const {
+    return findVanished(getPositionCache(state), 1e-7);
+}
+
+//-------------------------------------------------------------------------------------- reactions
+// Simbody's multipliers are minus the applied load.
+SpatialVec GeneralConstraintImpl::calcLoadOn(const State& state, int markerId) const {
+    const int marker = m_coordinate->findMarker(markerId);
+    if (marker < 0) return {Vec3(0), Vec3(0)};
+    Array_<Real> lambda;
+    getMultipliers(state, lambda);
+    PositionCache& cache = updPositionCache(state);
+    placeMarkers(state, cache);
+    Evaluation& q = *cache.coordinate;
+    m_coordinate->setInputs(state.getTime(), cache.motions.data(), q);
+    q.calcValue();
+    q.calcGradient();
+    return -getScale(state) * lambda[0] * m_coordinate->getDirection(q, cache.motions.data(), marker);
+}
+
+}  // namespace jprim
