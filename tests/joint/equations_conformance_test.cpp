@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equations of SCREW, RACKPIN and MOTIONs: the identities that every constraint must satisfy off its
+// The equations of SCREW, RACKPIN, CONVEL and MOTIONs: the identities that every constraint must satisfy off its
 // manifold.
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "jprim/joint/joint.h"
 #include "jprim/joint/motion.h"
@@ -25,6 +27,15 @@ GeneralConstraint makeMotion(const Marker& I, const Marker& J) {
     return Motion(I, J, Q, Expression("0.3*SIN(2*TIME)", {}));
 }
 
+// Without the ATPOINT that goes with it, which is tested elsewhere.
+template <bool Opposed>
+GeneralConstraint makeConvel(const Marker& I, const Marker& J) {
+    const Joint joint = Joint::Convel(I, J, Opposed);
+    SimTK::Constraint ball = joint.getPrimitives().front();
+    ball.setDisabledByDefault(true);
+    return joint.getEquations().front();
+}
+
 struct Case {
     const char* name;
     MakeEquation make;
@@ -38,6 +49,8 @@ using M = const Marker&;
 const Case Cases[] = {
     {"Screw", [](M I, M J) { return Joint::Screw(I, J, 0.7, 0.2).getEquations().front(); }},
     {"Rackpin", [](M I, M J) { return Joint::Rackpin(I, J, -0.3, 0.1).getEquations().front(); }},
+    {"Convel", makeConvel<false>},
+    {"ConvelOpposed", makeConvel<true>},
     {"MotionX", makeMotion<Coordinate::X>},
     {"MotionZ", makeMotion<Coordinate::Z>},
     {"MotionRotation", makeMotion<Coordinate::Rotation>},
@@ -68,6 +81,35 @@ INSTANTIATE_TEST_SUITE_P(Joints, EquationConformance,
                              return std::string(std::get<0>(info.param).name) +
                                     testing::getName(std::get<1>(info.param));
                          });
+
+// What CONVEL holds at shafts b apart that are turned by a and c: (1 + cos b) sin(a + c), or opposed
+// (1 - cos b) sin(a - c). Returns how far the equation is from one of the two.
+double calcConvelDefect(bool opposed, bool expectOpposed) {
+    const double a = 0.7, b = 0.9, c = -0.4;
+    SimTK::MultibodySystem system;
+    SimTK::SimbodyMatterSubsystem matter(system);
+    SimTK::MobilizedBody::Free body(
+        matter.Ground(), SimTK::Body::Rigid(SimTK::MassProperties(1, SimTK::Vec3(0), SimTK::Inertia(1))));
+    const SimTK::Rotation R_GJ(0.8, SimTK::UnitVec3(1, -2, 0.5));
+    const Marker I(body), J(matter.updGround(), SimTK::Transform(R_GJ, SimTK::Vec3(0.2, 0.1, -0.3)));
+    const Joint joint = Joint::Convel(I, J, opposed);
+    SimTK::State state = system.realizeTopology();
+    const SimTK::Rotation R_JI =
+        SimTK::Rotation(SimTK::BodyRotationSequence, a, SimTK::ZAxis, b, SimTK::XAxis) *
+        SimTK::Rotation(c, SimTK::ZAxis);
+    body.setQToFitTransform(state, SimTK::Transform(R_GJ * R_JI, SimTK::Vec3(1, 2, 3)));
+    system.realize(state, SimTK::Stage::Position);
+    const double expected =
+        expectOpposed ? (1 - std::cos(b)) * std::sin(a - c) : (1 + std::cos(b)) * std::sin(a + c);
+    return std::abs(joint.getEquations().front().calcEquationError(state) - expected);
+}
+
+TEST(EquationConformance, AConvelTurnsItsShaftsAlikeAndNotAgainstEachOther) {
+    EXPECT_LT(calcConvelDefect(false, false), RoundingTolerance);
+    EXPECT_LT(calcConvelDefect(true, true), RoundingTolerance);
+    EXPECT_GT(calcConvelDefect(false, true), 0.1);
+    EXPECT_GT(calcConvelDefect(true, false), 0.1);
+}
 
 // The suite can fail: DZ with the axes of ground in place of J's has a net moment.
 TEST(EquationConformance, NoticesTheAxesOfTheWrongBody) {
