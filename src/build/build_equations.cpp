@@ -77,7 +77,8 @@ bool doesWork(const MarkerExpression& f) {
 void MechanismBuilder::addGcon(const GconStatement& s) {
     const std::string name = fmt::format("GCON/{}", s.id);
     attempt(name, s.where, [&] {
-        const Expression f = write([&s](FunctionWriter& w) { return w.scalar(s.function); });
+        const Expression f =
+            write(FunctionUse::Equation, [&s](FunctionWriter& w) { return w.scalar(s.function); });
         const GeneralConstraint constraint(f, name);
         addEquation(name, constraint, f);
         m_mechanism.m_hasPower = m_mechanism.m_hasPower || doesWork(f.getImplementation());
@@ -125,7 +126,7 @@ void MechanismBuilder::addMotion(const MotionStatement& s) {
     const Real displacement = isLength(coordinate) ? units.length : 1;
     const int derivative = int(s.level);
     attempt(name, s.where, [&] {
-        const Expression function = write([&](FunctionWriter& w) {
+        const Expression function = write(FunctionUse::OfTime, [&](FunctionWriter& w) {
             return w.scale(displacement / std::pow(units.time, derivative), w.scalar(s.function));
         });
         const Marker &I = m_mechanism.getMarker(i), &J = m_mechanism.getMarker(j);
@@ -168,7 +169,7 @@ void MechanismBuilder::addInitialCoordinates(const JointStatement& s) {
 void MechanismBuilder::addCoupler(const CouplerStatement& s) {
     const std::string name = fmt::format("COUPLER/{}", s.id);
     attempt(name, s.where, [&] {
-        const Expression f = write([&](FunctionWriter& w) {
+        const Expression f = write(FunctionUse::Equation, [&](FunctionWriter& w) {
             MarkerFrames& frames = w.updFrames();
             Operand sum = w.updBuilder().number(0);
             for (size_t k = 0; k < s.joints.size(); ++k) {

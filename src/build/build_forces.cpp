@@ -37,7 +37,7 @@ void MechanismBuilder::addForce(const std::string& name, int i, int j, const For
 void MechanismBuilder::addSforce(const SforceStatement& s) {
     const std::string name = fmt::format("SFORCE/{}", s.id);
     attempt(name, s.where, [&] {
-        const Expression load = write([&](FunctionWriter& w) {
+        const Expression load = write(FunctionUse::Force, [&](FunctionWriter& w) {
             const Operand size = w.scale(getForceUnit(s.rotational), w.scalar(s.function));
             const bool alongZ = s.rotational || s.actionOnly;
             const Operand direction = alongZ ? w.updFrames().axis(s.j, 2) : w.updFrames().direction(s.i, s.j);
@@ -56,7 +56,7 @@ void MechanismBuilder::addVectorForce(const VectorForceStatement& s) {
                                  const std::optional<ExpressionText>& whole) -> std::optional<Expression> {
         const auto* parts = &s.components[size_t(first)];
         if (!whole && !parts[0] && !parts[1] && !parts[2]) return std::nullopt;
-        return write([&](FunctionWriter& w) {
+        return write(FunctionUse::Force, [&](FunctionWriter& w) {
             const auto part = [&](int k) {
                 return parts[k] ? w.scalar(*parts[k]) : w.updBuilder().number(0);
             };
@@ -91,7 +91,7 @@ void MechanismBuilder::addSpringdamper(const SpringdamperStatement& s) {
     };
     attempt(name, s.where, [&] {
         ForceLaw law;
-        (s.rotational ? law.moment : law.force) = write([&](FunctionWriter& w) {
+        (s.rotational ? law.moment : law.force) = write(FunctionUse::Force, [&](FunctionWriter& w) {
             ProgramBuilder& b = w.updBuilder();
             Operand load = b.subtract(b.number(s.preload), w.scale(s.stiffness, stretch(w)));
             if (s.damping != 0) load = b.subtract(load, w.scale(s.damping, rate(w)));
@@ -99,7 +99,7 @@ void MechanismBuilder::addSpringdamper(const SpringdamperStatement& s) {
                 s.rotational ? w.updFrames().axis(s.j, 2) : w.updFrames().direction(s.i, s.j);
             return b.multiply(w.scale(getForceUnit(s.rotational), load), direction);
         });
-        law.potential = write([&](FunctionWriter& w) {
+        law.potential = write(FunctionUse::Force, [&](FunctionWriter& w) {
             ProgramBuilder& b = w.updBuilder();
             const Operand spring = w.scale(s.stiffness / 2, b.multiply(stretch(w), stretch(w)));
             return w.scale(m_mechanism.m_units.getEnergy(),
@@ -122,7 +122,7 @@ void MechanismBuilder::addBushing(const BushingStatement& s) {
     };
     const auto writeLoad = [&](const Triple& k, const Triple& c, const Triple& preload, const auto& x,
                                bool turns) {
-        return write([&](FunctionWriter& w) {
+        return write(FunctionUse::Force, [&](FunctionWriter& w) {
             ProgramBuilder& b = w.updBuilder();
             MarkerFrames& f = w.updFrames();
             const auto along = [&](int axis) {
@@ -140,7 +140,7 @@ void MechanismBuilder::addBushing(const BushingStatement& s) {
         ForceLaw law;
         law.force = writeLoad(s.k, s.c, s.force, position, false);
         law.moment = writeLoad(s.kt, s.ct, s.torque, angle, true);
-        law.potential = write([&](FunctionWriter& w) {
+        law.potential = write(FunctionUse::Force, [&](FunctionWriter& w) {
             ProgramBuilder& b = w.updBuilder();
             Operand energy = b.number(0);
             const auto add = [&](Real stiffness, Real preload, Operand x) {

@@ -29,8 +29,9 @@ void MechanismBuilder::prepareFunctions() {
 // Variables that nothing uses are checked as well; loads of elements are known by then.
 void MechanismBuilder::checkVariables() {
     for (const VariableStatement& s : m_dataset.variables)
-        attempt(fmt::format("VARIABLE/{}", s.id), s.where,
-                [&] { write([&s](FunctionWriter& w) { return w.scalar(s.function); }); });
+        attempt(fmt::format("VARIABLE/{}", s.id), s.where, [&] {
+            write(FunctionUse::Output, [&s](FunctionWriter& w) { return w.scalar(s.function); });
+        });
 }
 
 void MechanismBuilder::addLoadElement(const LoadElement& element) {
@@ -39,7 +40,8 @@ void MechanismBuilder::addLoadElement(const LoadElement& element) {
 }
 
 ExpressionMeasure MechanismBuilder::makeMeasure(const ExpressionText& function) {
-    const Expression f = write([&function](FunctionWriter& w) { return w.scalar(function); });
+    const Expression f =
+        write(FunctionUse::Output, [&function](FunctionWriter& w) { return w.scalar(function); });
     return ExpressionMeasure(m_mechanism.m_bodies->forces, f);
 }
 

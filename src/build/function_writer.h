@@ -20,9 +20,9 @@ struct FunctionError : std::runtime_error {
 /// Writes one Expression from functions of the dataset and operations of our own, in the dataset's units.
 class FunctionWriter {
 public:
-    FunctionWriter(const MarkerFrames::FindMarker& find, const FunctionContext& context)
+    FunctionWriter(const MarkerFrames::FindMarker& find, const FunctionContext& context, FunctionUse use)
         : m_frames(m_builder, find, {context.units.length, context.units.time}),
-          m_vocabulary(m_frames, find, context) {}
+          m_vocabulary(m_frames, find, context, use) {}
 
     ProgramBuilder& updBuilder() { return m_builder; }
     MarkerFrames& updFrames() { return m_frames; }

@@ -134,9 +134,9 @@ private:
 
     /// An expression of functions of the dataset. @throws FunctionError
     template <class Compose>
-    Expression write(const Compose& compose) {
+    Expression write(FunctionUse use, const Compose& compose) {
         const MarkerFrames::FindMarker find = [this](int id) { return findFixedMarker(id); };
-        FunctionWriter writer(find, m_functions);
+        FunctionWriter writer(find, m_functions, use);
         return writer.finish(compose(writer));
     }
 

@@ -7,6 +7,8 @@
 #include <iterator>
 
 #include "expression/compile_expression.h"
+#include "force/marker_force_impl.h"
+#include "general/check_expression.h"
 #include "jprim/marker/load.h"
 
 namespace jprim {
@@ -40,6 +42,21 @@ Real getUnit(const UnitSystem& units, int component) {
 
 std::optional<Operand> MechanismVocabulary::call(ProgramBuilder& builder, const Call& call) {
     if (call.name == "VARVAL") return makeVariable(builder, call);
+    const std::optional<Operand> value = makeMeasure(builder, call);
+    if (value && m_use == FunctionUse::OfTime) throw ExpressionError(call.offset, NotOnlyTime);
+    return value;
+}
+
+std::string MechanismVocabulary::findProblem(const ProgramBuilder& builder, Operand value) const {
+    switch (m_use) {
+        case FunctionUse::Equation:
+            return findValueProblem(builder.getLevel(value), builder.isLinearInVelocity(value));
+        case FunctionUse::Force: return findForceProblem(builder.getLevel(value));
+        default: return "";
+    }
+}
+
+std::optional<Operand> MechanismVocabulary::makeMeasure(ProgramBuilder& builder, const Call& call) {
     if (call.name == "ORIENT") return makeEulerParameter(call);
     for (const auto& [function, keyword] : ElementFunctions)
         if (call.name == function) return makeElementLoad(call, keyword);

@@ -24,6 +24,9 @@ struct FunctionContext {
     std::set<int> floatingMarkers;
 };
 
+/// What a function is for, which decides what it may depend on.
+enum class FunctionUse { Output, Force, Equation, OfTime };
+
 /// The measures of markers, and
 /// - VARVAL(id): the VARIABLE's function in its place
 /// - JPRIM, JOINT, GCON, MOTION, SFORCE, SPDP, BUSH, GFORCE, VFORCE, VTORQ(id, jflag, comp, rm): loads of
@@ -33,17 +36,19 @@ struct FunctionContext {
 class MechanismVocabulary : public MarkerVocabulary {
 public:
     MechanismVocabulary(MarkerFrames& frames, const MarkerFrames::FindMarker& find,
-                        const FunctionContext& context)
-        : MarkerVocabulary(frames), m_find(find), m_context(context) {}
+                        const FunctionContext& context, FunctionUse use)
+        : MarkerVocabulary(frames), m_find(find), m_context(context), m_use(use) {}
 
     std::optional<Operand> call(ProgramBuilder& builder, const Call& call) override;
     const Spline* findSpline(int id) override;
     std::vector<std::string> getNames() const override;
+    std::string findProblem(const ProgramBuilder& builder, Operand value) const override;
 
 protected:
     std::string describeMissing(int id) const override;
 
 private:
+    std::optional<Operand> makeMeasure(ProgramBuilder& builder, const Call& call);
     Operand makeVariable(ProgramBuilder& builder, const Call& call);
     Operand makeElementLoad(const Call& call, const std::string& keyword);
     Operand makeNetLoad(const Call& call, int component);
@@ -52,6 +57,7 @@ private:
 
     const MarkerFrames::FindMarker& m_find;
     const FunctionContext& m_context;
+    FunctionUse m_use;
     std::map<int, Operand> m_variables;  // compiled into this program already
     std::vector<int> m_open;             // being compiled, outermost first
 };

@@ -46,7 +46,7 @@ private:
     Operand combineTerms(const Token& sign, Operand a, Operand b);
     Operand combineFactors(const Token& sign, Operand a, Operand b, bool isDotProduct);
     Operand resolve(const Call& call);
-    Operand requireFinite(Operand value, const Token& origin) const;
+    Operand accept(Operand value, const Token& origin) const;
 
     Token take() {
         m_lastOffset = m_token.offset;
@@ -92,9 +92,11 @@ void Parser::close(const Token& bracket, std::string_view sign) {
     failAfterValue();
 }
 
-Operand Parser::requireFinite(Operand value, const Token& origin) const {
+Operand Parser::accept(Operand value, const Token& origin) const {
     if (!m_builder.isFinite(value))
         fail(origin, fmt::format("the value of {} is not a finite number", quote(origin.text)));
+    const std::string problem = m_vocabulary.findProblem(m_builder, value);
+    if (!problem.empty()) fail(origin, problem);
     return value;
 }
 
@@ -110,7 +112,7 @@ Operand Parser::parseSum() {
 Operand Parser::combineTerms(const Token& sign, Operand a, Operand b) {
     if (a.isVector != b.isVector)
         fail(sign, fmt::format("{} stands between a scalar and a vector", quote(sign.text)));
-    return requireFinite(sign.is("+") ? m_builder.add(a, b) : m_builder.subtract(a, b), sign);
+    return accept(sign.is("+") ? m_builder.add(a, b) : m_builder.subtract(a, b), sign);
 }
 
 Operand Parser::parseProduct() {
@@ -127,14 +129,14 @@ Operand Parser::parseProduct() {
 }
 
 Operand Parser::combineFactors(const Token& sign, Operand a, Operand b, bool isDotProduct) {
-    if (sign.is("*")) return requireFinite(m_builder.multiply(a, b), sign);
+    if (sign.is("*")) return accept(m_builder.multiply(a, b), sign);
     if (sign.is("/")) {
         if (b.isVector) fail(sign, "a vector cannot be a divisor");
-        return requireFinite(m_builder.divide(a, b), sign);
+        return accept(m_builder.divide(a, b), sign);
     }
     if (isDotProduct && b.isVector) fail(sign, "v*v%v is ambiguous; write v*(v%v)");
     if (!a.isVector || !b.isVector) fail(sign, "'%' is the cross product; it needs two vectors");
-    return requireFinite(m_builder.cross(a, b), sign);
+    return accept(m_builder.cross(a, b), sign);
 }
 
 // Every way deeper leads through here.
@@ -154,7 +156,7 @@ Operand Parser::parsePower() {
     const Token sign = take();
     const Operand exponent = parseSigned();
     if (base.isVector || exponent.isVector) fail(sign, "'**' takes scalars, not vectors");
-    return requireFinite(m_builder.power(base, exponent), sign);
+    return accept(m_builder.power(base, exponent), sign);
 }
 
 Operand Parser::parsePrimary() {
@@ -186,7 +188,7 @@ Operand Parser::parseName() {
     const Token name = take();
     Call call{toUpperCase(name.text), name.offset, {}, m_token.is("(")};
     if (call.hasParentheses) call.arguments = parseArguments(call.name);
-    return requireFinite(resolve(call), name);
+    return accept(resolve(call), name);
 }
 
 std::vector<Argument> Parser::parseArguments(const std::string& function) {

@@ -64,6 +64,10 @@ public:
 
     /// The names that call() knows, in upper case, for suggestions.
     virtual std::vector<std::string> getNames() const = 0;
+
+    /// Why an expression of this use must not contain a value; empty if it may. Asked of each name and sign, so
+    /// that the mistake is found where it stands.
+    virtual std::string findProblem(const ProgramBuilder&, Operand) const { return ""; }
 };
 
 /// Translates an Adams function expression.

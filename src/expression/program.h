@@ -128,6 +128,9 @@ public:
     /// True if the value depends on no input; then getConstant() has it.
     bool isConstant(Operand a) const { return getTraits(a).isConstant; }
     SimTK::Real getConstant(Operand scalar) const;
+    /// What Program::getLevel() and Program::isLinearInVelocity() would say of it as a result.
+    InputLevel getLevel(Operand a) const { return getTraits(a).level; }
+    bool isLinearInVelocity(Operand a) const { return getTraits(a).velocityDegree <= 1; }
     /// False for a constant that is infinite or no number, such as 1/0.
     bool isFinite(Operand a) const;
 

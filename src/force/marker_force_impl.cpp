@@ -13,6 +13,12 @@ using SimTK::SpatialVec;
 using SimTK::State;
 using SimTK::Vec3;
 
+std::string findForceProblem(InputLevel level) {
+    return level < InputLevel::Acceleration
+               ? ""
+               : "a force cannot depend on accelerations or reactions, which are known only when all forces are";
+}
+
 namespace {
 
 std::optional<TrackedExpression> take(const std::optional<Expression>& expression, bool isVector,
@@ -21,11 +27,8 @@ std::optional<TrackedExpression> take(const std::optional<Expression>& expressio
     const Program& program = expression->getImplementation().program;
     if (program.isVector() != isVector)
         throw Error(name, fmt::format("its {} must be a {}", what, isVector ? "vector" : "number"));
-    if (program.getLevel() == InputLevel::Acceleration)
-        throw Error(
-            name, fmt::format("its {} cannot depend on accelerations or reactions, which are known only when "
-                              "all forces are",
-                              what));
+    const std::string problem = findForceProblem(program.getLevel());
+    if (!problem.empty()) throw Error(name, problem);
     return TrackedExpression(*expression);
 }
 

@@ -10,13 +10,19 @@ namespace jprim {
 
 using SimTK::SimbodyMatterSubsystem;
 
+std::string findValueProblem(InputLevel level, bool isLinearInVelocity) {
+    if (level == InputLevel::Acceleration)
+        return "a constraint cannot depend on accelerations or reactions; only on positions, velocities and TIME";
+    if (!isLinearInVelocity)
+        return "the expression is not linear in velocities; a constraint of velocities must be";
+    return "";
+}
+
 std::string findEquationProblem(const MarkerExpression& expression) {
     const Program& program = expression.program;
     if (program.isVector()) return "the expression is a vector; write one equation for each component";
-    if (program.getLevel() == InputLevel::Acceleration)
-        return "a constraint cannot depend on accelerations or reactions; only on positions, velocities and TIME";
-    if (!program.isLinearInVelocity())
-        return "the expression is not linear in velocities; a constraint of velocities must be";
+    const std::string problem = findValueProblem(program.getLevel(), program.isLinearInVelocity());
+    if (!problem.empty()) return problem;
     if (expression.markers.empty()) return "the expression depends on no marker, so it constrains nothing";
     return "";
 }
@@ -24,7 +30,7 @@ std::string findEquationProblem(const MarkerExpression& expression) {
 std::string findFunctionProblem(const MarkerExpression& expression) {
     if (expression.program.isVector()) return "the function is a vector; it must be a number";
     const bool onlyTime = expression.markers.empty() && expression.program.getLevel() == InputLevel::Position;
-    return onlyTime ? "" : "the function must depend on nothing but TIME";
+    return onlyTime ? "" : NotOnlyTime;
 }
 
 SimbodyMatterSubsystem& findMatter(const MarkerExpression& expression, const std::string& element) {

@@ -46,17 +46,28 @@ INSTANTIATE_TEST_SUITE_P(
              "11:17: error: GCON/1: the function is a vector; it must be a number\n"},
         Case{
             "NotLinear", "GCON/1,FUNCTION=VM(20)-1",
-            "11:1: error: GCON/1: the expression is not linear in velocities; a constraint of velocities must be\n"},
+            "11:17: error: GCON/1: the expression is not linear in velocities; a constraint of velocities must be\n"},
+        Case{
+            "NotLinearBelow", "GCON/1,FUNCTION=VX(20)+2*VX(20)\n, -VX(20)*VY(20)",
+            "12:10: error: GCON/1: the expression is not linear in velocities; a constraint of velocities must be\n"},
+        Case{
+            "Reaction", "JPRIM/1,ATPOINT,I=20,J=10\nGCON/1,FUNCTION=DX(30)+JPRIM(1,0,2)",
+            "12:24: error: GCON/1: a constraint cannot depend on accelerations or reactions; only on positions, "
+            "velocities and TIME\n"},
         Case{
             "Acceleration", "  GCON/1,FUNCTION=ACCX(20)-1",
-            "11:3: error: GCON/1: a constraint cannot depend on accelerations or reactions; only on positions, "
+            "11:19: error: GCON/1: a constraint cannot depend on accelerations or reactions; only on positions, "
             "velocities and TIME\n"},
         Case{"Nothing", "GCON/1,FUNCTION=TIME",
              "11:1: error: GCON/1: the expression depends on no marker, so it constrains nothing\n"},
         Case{"MotionOfMarkers", "MOTION/1,I=20,J=10,X,FUNCTION=DX(30)",
-             "11:1: error: MOTION/1: the function must depend on nothing but TIME\n"},
+             "11:31: error: MOTION/1: the function must depend on nothing but TIME\n"},
         Case{"MotionOfAVector", "MOTION/1,I=20,J=10,X,FUNCTION=[1,2,3]",
              "11:31: error: MOTION/1: the function is a vector; it must be a number\n"},
+        Case{"MotionOfAVariable",
+             "VARIABLE/1,FUNCTION=TIME**2\nVARIABLE/2,FUNCTION=DX(20)\n"
+             "MOTION/1,I=20,J=10,X,FUNCTION=VARVAL(1)-VARVAL(2)",
+             "13:41: error: MOTION/1: in VARIABLE/2: the function must depend on nothing but TIME\n"},
         Case{
             "RackAlongThePinion", "JOINT/1,RACKPIN,PD=1,I=20,J=10",
             "11:1: error: JOINT/1 RACKPIN: the z axis of I=20 and the z axis of J=10 must be perpendicular but are "
@@ -70,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
              "11:43: error: SFORCE/1: unknown function 'STPE'\n"},
         Case{
             "Acceleration", "SFORCE/1,ROTATIONAL,I=20,J=10,FUNCTION=WDTZ(20)",
-            "11:1: error: SFORCE/1: its moment cannot depend on accelerations or reactions, which are known only when "
+            "11:40: error: SFORCE/1: a force cannot depend on accelerations or reactions, which are known only when "
             "all forces are\n"},
         Case{
             "OnOnePart", "\nVFORCE/1,I=30,JFLOAT=31,FX=1",
@@ -108,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
             "Load",
             "JPRIM/1,ATPOINT,I=20,J=10\nVARIABLE/1,FUNCTION=JPRIM(1,0,2)\nSFORCE/1,ROTATIONAL,I=30,J=10\n"
             ",FUNCTION=VARVAL(1)",
-            "13:1: error: SFORCE/1: its moment cannot depend on accelerations or reactions, which are known only when "
+            "14:11: error: SFORCE/1: in VARIABLE/1: a force cannot depend on accelerations or reactions, which are known only when "
             "all forces are\n"}),
     getName);
 

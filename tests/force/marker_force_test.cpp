@@ -128,10 +128,9 @@ TEST(MarkerForce, MistakesAreExplained) {
     };
     EXPECT_EQ(message("3", "0"), "SFORCE/4: its force must be a vector");
     EXPECT_EQ(message("[1,2,3]", "[1,2,3]"), "SFORCE/4: its potential must be a number");
-    EXPECT_EQ(
-        message("ACCXYZ(1)", "0"),
-        "SFORCE/4: its force cannot depend on accelerations or reactions, which are known only when all "
-        "forces are");
+    EXPECT_EQ(message("ACCXYZ(1)", "0"),
+              "SFORCE/4: a force cannot depend on accelerations or reactions, which are known only when all "
+              "forces are");
     EXPECT_EQ(
         catchError([&] { MarkerForce(forces, Marker(), std::nullopt, ForceLaw(), "SFORCE/4"); }),
         "SFORCE/4: a marker is not on a body; construct it with a MobilizedBody that has been added to a matter "
