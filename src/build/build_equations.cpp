@@ -76,7 +76,7 @@ bool doesWork(const MarkerExpression& f) {
 // A GCON has no J, but one between two markers is reported on both.
 void MechanismBuilder::addGcon(const GconStatement& s) {
     const std::string name = fmt::format("GCON/{}", s.id);
-    attempt(name, s.where, [&] {
+    attempt(name, s.function.getPosition(0), [&] {
         const Expression f =
             write(FunctionUse::Equation, [&s](FunctionWriter& w) { return w.scalar(s.function); });
         const GeneralConstraint constraint(f, name);

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
             "11:19: error: GCON/1: a constraint cannot depend on accelerations or reactions; only on positions, "
             "velocities and TIME\n"},
         Case{"Nothing", "GCON/1,FUNCTION=TIME",
-             "11:1: error: GCON/1: the expression depends on no marker, so it constrains nothing\n"},
+             "11:17: error: GCON/1: the expression depends on no marker, so it constrains nothing\n"},
         Case{"MotionOfMarkers", "MOTION/1,I=20,J=10,X,FUNCTION=DX(30)",
              "11:31: error: MOTION/1: the function must depend on nothing but TIME\n"},
         Case{"MotionOfAVector", "MOTION/1,I=20,J=10,X,FUNCTION=[1,2,3]",

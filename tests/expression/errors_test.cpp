@@ -180,6 +180,34 @@ TEST(ExpressionErrors, NestingHasALimit) {
     EXPECT_EQ(evaluate(repeat(30000, "-") + "1"), 1);
 }
 
+/// Of expressions that must be linear in velocities.
+class LinearVocabulary : public InputVocabulary {
+public:
+    std::string findProblem(const ProgramBuilder& builder, Operand value) const override {
+        return builder.isLinearInVelocity(value) ? "" : "not linear";
+    }
+};
+
+// The first value that must not be there is found where it stands, and none where the whole is as it must be.
+TEST(ExpressionErrors, AValueThatIsNotAllowedIsFoundWhereItStands) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"U1*Q1**2+2*U2/Q2-SIN(Q1)", ""},   {"Q1+U1 *U2", "6: not linear"},
+        {"2+SQRT(VV*VV)", "9: not linear"}, {"(Q1-A1)*0", "4: not linear"},
+        {"U1+U2**2", "5: not linear"},      {"Q1*IF(U1: 1,2,3)", "3: not linear"}};
+    for (const auto& [text, error] : cases) {
+        LinearVocabulary vocabulary;
+        ProgramBuilder builder;
+        std::string found;
+        try {
+            compileExpression(text, builder, vocabulary);
+        } catch (const ExpressionError& e) {
+            found = std::to_string(e.offset) + ": " + e.message;
+        }
+        EXPECT_EQ(found, error) << text;
+        EXPECT_EQ(Expression(text).getProgram().isLinearInVelocity(), found.empty()) << text;
+    }
+}
+
 TEST(ExpressionErrors, LengthHasALimit) {
     EXPECT_EQ(evaluate(repeat(49999, "1+") + "12"), 50011);
     EXPECT_EQ(findError(repeat(50000, "1+") + "1"),

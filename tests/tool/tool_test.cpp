@@ -172,7 +172,7 @@ TEST_F(Tool, CheckListsErrorsForMachinesToo) {
     ASSERT_EQ(json["messages"].size(), 1u);
     EXPECT_EQ(json["messages"][0]["severity"], "error");
     EXPECT_EQ(json["messages"][0]["line"], 4);
-    EXPECT_EQ(json["messages"][0]["column"], 3);
+    EXPECT_EQ(json["messages"][0]["column"], 19);
 }
 
 TEST_F(Tool, AFailedSimulationExitsWith1AndStillWritesItsFiles) {
