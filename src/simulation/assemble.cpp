@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "jprim/base/error.h"
 #include "simulation/assembly_conditions.h"
 #include "simulation/initial_velocities.h"
 #include "simulation/redundancy.h"
+#include "simulation/violation.h"
 
 namespace jprim {
 
@@ -157,55 +157,6 @@ void assemblePositions(const Mechanism& mechanism, const Aim& aim, State& state)
                     "units of the dataset and {:.3g} rad is left{}",
                     left.length / mechanism.getUnits().length, left.angle,
                     held.empty() ? "" : fmt::format(", while {} are held", held)));
-}
-
-std::vector<MovedPart> findMovedParts(const Mechanism& mechanism, const State& state) {
-    std::vector<MovedPart> moved;
-    for (const MechanismPart& part : mechanism.getParts()) {
-        if (part.ground) continue;
-        const Transform X_GB = part.body.getBodyTransform(state);
-        const Transform given = part.calcGivenBodyPose();
-        const Real distance = (X_GB.p() - given.p()).norm();
-        const Rotation turn = ~given.R() * X_GB.R();
-        const Real angle = std::abs(turn.convertRotationToAngleAxis()[0]);
-        if (distance > AssemblyTolerance || angle > AssemblyTolerance)
-            moved.push_back({part.name, distance, angle});
-    }
-    return moved;
-}
-
-}  // namespace
-
-Violation calcViolation(const Mechanism& mechanism, const State& state) {
-    const Vector& errors = state.getQErr();
-    Violation violation;
-    for (const ConstraintEquation& equation : mechanism.findEquations(state)) {
-        if (equation.level != EquationLevel::Holonomic) break;
-        const Real error = std::abs(errors[equation.multiplier]);
-        if (error > std::max(violation.length, violation.angle)) violation.element = equation.element;
-        Real& worst = equation.isLength ? violation.length : violation.angle;
-        worst = std::max(worst, error);
-    }
-    return violation;
-}
-
-namespace {
-
-// Where the given poses do not fit a mobilizer, its joint is violated as equations in its place would be.
-void addMisfits(const Mechanism& mechanism, const State& given, Violation& violation) {
-    for (const MechanismPart& part : mechanism.getParts()) {
-        if (part.ground) continue;
-        Transform fit = part.body.getMobilizerTransform(given);
-        Transform wanted = mechanism.calcGivenMobilizerPose(given, part);
-        if (part.attachment.reversed) std::tie(fit, wanted) = std::pair(~fit, ~wanted);  // I in J
-        const Real length = max((wanted.p() - fit.p()).abs());
-        const Real angle = std::abs((~fit.R() * wanted.R()).convertRotationToAngleAxis()[0]);
-        if (!part.attachment.elements.empty() &&
-            std::max(length, angle) > std::max(violation.length, violation.angle))
-            violation.element = part.attachment.elements[0];
-        violation.length = std::max(violation.length, length);
-        violation.angle = std::max(violation.angle, angle);
-    }
 }
 
 // Simbody's optimizer counts an equation that no motion changes as one unknown less. Where there are no others they

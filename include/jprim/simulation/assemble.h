@@ -34,6 +34,8 @@ struct AssembledState {
 
 /// Position-level violation at a State. Requires Stage::Position.
 Violation calcViolation(const Mechanism& mechanism, const SimTK::State& state);
+/// The same of Mechanism::findEquations(), which stay while no constraint is switched.
+Violation calcViolation(const std::vector<ConstraintEquation>& equations, const SimTK::State& state);
 
 /// Finds initial conditions as Adams does.
 ///
