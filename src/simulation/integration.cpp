@@ -103,12 +103,12 @@ private:
     // be told to project every step, but then they project their estimates of errors as well, and in trees of few
     // freedoms take steps that are too long.
     void project(Integrator& integrator) const {
+        if (m_entry.remembersSteps || integrator.getState().getNMultipliers() == 0) return;
         const MultibodySystem& system = m_mechanism.getSystem();
         SimTK::ProjectOptions options(m_options.getConstraintTolerance());
         options.setOption(SimTK::ProjectOptions::ForceProjection);
         SimTK::ProjectResults results;
         SimTK::Vector noErrors;
-        if (m_entry.remembersSteps || integrator.getState().getNMultipliers() == 0) return;
         State& state = integrator.updAdvancedState();
         system.realize(state, SimTK::Stage::Position);
         system.projectQ(state, noErrors, options, results);
@@ -161,12 +161,10 @@ private:
 }  // namespace
 
 Real calcTimeOfARadian(const Mechanism& mechanism, const State& state) {
-    Real w = 0, a = 0;
-    for (const MechanismPart& part : mechanism.getParts()) {
-        if (part.ground) continue;
-        w = std::max(w, part.body.getBodyAngularVelocity(state).norm());
-        a = std::max(a, part.body.getBodyAngularAcceleration(state).norm());
-    }
+    const Real w = calcLargestAngularVelocity(mechanism, state);
+    Real a = 0;
+    for (const MechanismPart& part : mechanism.getParts())
+        if (!part.ground) a = std::max(a, part.body.getBodyAngularAcceleration(state).norm());
     const Real rate = w + std::sqrt(w * w + 2 * a);
     return rate > 0 ? 2 / rate : SimTK::Infinity;
 }
