@@ -15,11 +15,11 @@ using SimTK::Vec3;
 
 //--------------------------------------------------------------------------------------- dropping
 bool GeneralConstraintImpl::isDropped(const State& state) const {
-    return static_cast<const Value<bool>&>(state.getDiscreteVariable(m_subsystem, m_isDropped)).get();
+    return static_cast<const Value<int>&>(state.getDiscreteVariable(m_subsystem, m_isDropped)).get() != 0;
 }
 
 void GeneralConstraintImpl::setDropped(State& state, bool isDropped) const {
-    static_cast<Value<bool>&>(state.updDiscreteVariable(m_subsystem, m_isDropped)).upd() = isDropped;
+    static_cast<Value<int>&>(state.updDiscreteVariable(m_subsystem, m_isDropped)).upd() = isDropped;
 }
 
 // Simbody knows errors only of equations in use.
