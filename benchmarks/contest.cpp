@@ -108,6 +108,14 @@ void registerContest(const Contest& contest, Bodies bodies) {
 
 }  // namespace
 
+void addPointInPlane(MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
+    SimTK::Constraint::PointInPlane(J, X_BJ.z(), SimTK::dot(X_BJ.z(), X_BJ.p()), I, StationOnI);
+}
+
+void addRightAngle(MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
+    SimTK::Constraint::ConstantAngle(J, X_BJ.z(), I, SimTK::UnitVec3(SimTK::ZAxis), SimTK::Pi / 2);
+}
+
 void runContests(const std::vector<Contest>& contests, int argc, char** argv) {
     for (const Contest& contest : contests)
         for (const Bodies bodies : {Bodies::Free, Bodies::Pinned}) registerContest(contest, bodies);

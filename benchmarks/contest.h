@@ -27,6 +27,11 @@ struct Contest {
 
 const SimTK::Vec3 StationOnI(-0.5, 0.03, 0.02);
 
+/// Simbody's constraints that more than one contest is against: I's station stays on J's xy plane; the z axes stay at
+/// right angles.
+void addPointInPlane(SimTK::MobilizedBody& J, SimTK::MobilizedBody& I, const SimTK::Transform& X_BJ);
+void addRightAngle(SimTK::MobilizedBody& J, SimTK::MobilizedBody& I, const SimTK::Transform& X_BJ);
+
 /// Runs all contests with the command line's options for Google Benchmark, then prints tables of the ratio of
 /// medians, jprim / Simbody. Both sides are interleaved with
 ///     --benchmark_enable_random_interleaving=true --benchmark_repetitions=9 --benchmark_min_time=0.05

@@ -26,14 +26,8 @@ const std::vector<Contest> Contests = {
      [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
          Constraint::Rod(J, X_BJ.p(), I, StationOnI, 0.3);
      }},
-    {"DZ(1,2,2)", "PointInPlane", makeGeneral("DZ(1,2,2)"),
-     [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
-         Constraint::PointInPlane(J, X_BJ.z(), SimTK::dot(X_BJ.z(), X_BJ.p()), I, StationOnI);
-     }},
-    {"UVZ(1)*UVZ(2)", "ConstantAngle", makeGeneral("UVZ(1)*UVZ(2)"),
-     [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
-         Constraint::ConstantAngle(J, X_BJ.z(), I, SimTK::UnitVec3(SimTK::ZAxis), SimTK::Pi / 2);
-     }}};
+    {"DZ(1,2,2)", "PointInPlane", makeGeneral("DZ(1,2,2)"), jprim::benchmarks::addPointInPlane},
+    {"UVZ(1)*UVZ(2)", "ConstantAngle", makeGeneral("UVZ(1)*UVZ(2)"), jprim::benchmarks::addRightAngle}};
 
 }  // namespace
 

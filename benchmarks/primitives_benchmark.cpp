@@ -27,10 +27,7 @@ const std::vector<Contest> Contests = {
      [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
          Constraint::PointOnLine(J, X_BJ.z(), X_BJ.p(), I, StationOnI);
      }},
-    {"InPlane", "PointInPlane", addPrimitive<jprim::InPlane>,
-     [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
-         Constraint::PointInPlane(J, X_BJ.z(), SimTK::dot(X_BJ.z(), X_BJ.p()), I, StationOnI);
-     }},
+    {"InPlane", "PointInPlane", addPrimitive<jprim::InPlane>, jprim::benchmarks::addPointInPlane},
     {"Orientation", "ConstantOrientation", addPrimitive<jprim::Orientation>,
      [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
          Constraint::ConstantOrientation(J, X_BJ.R(), I, Rotation());
@@ -40,10 +37,7 @@ const std::vector<Contest> Contests = {
          Constraint::ConstantAngle(J, X_BJ.x(), I, SimTK::UnitVec3(SimTK::ZAxis), SimTK::Pi / 2);
          Constraint::ConstantAngle(J, X_BJ.y(), I, SimTK::UnitVec3(SimTK::ZAxis), SimTK::Pi / 2);
      }},
-    {"Perpendicular", "ConstantAngle", addPrimitive<jprim::Perpendicular>,
-     [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
-         Constraint::ConstantAngle(J, X_BJ.z(), I, SimTK::UnitVec3(SimTK::ZAxis), SimTK::Pi / 2);
-     }}};
+    {"Perpendicular", "ConstantAngle", addPrimitive<jprim::Perpendicular>, jprim::benchmarks::addRightAngle}};
 
 }  // namespace
 

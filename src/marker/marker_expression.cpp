@@ -66,7 +66,9 @@ void MarkerExpression::setMotion(size_t marker, const MarkerMotion& motion, Eval
 
 void MarkerExpression::setInputs(Real time, const MarkerMotion* motions, Evaluation& evaluation) const {
     setTime(time, evaluation);
-    for (size_t k = 0; k < markers.size(); ++k) setMotion(k, motions[k], evaluation);
+    for (size_t k = 0; k < vectorInputs.size(); ++k)
+        evaluation.setVectorInput(
+            int(k), calcInput(vectorInputs[k].quantity, motions[vectorInputs[k].marker], units));
 }
 
 void MarkerExpression::setInputs(const State& state, Evaluation& evaluation, InputLevel highest) const {

@@ -6,6 +6,7 @@
 
 #include "jprim/base/error.h"
 #include "simulation/failure.h"
+#include "simulation/projection.h"
 #include "simulation/step_history.h"
 #include "simulation/stepper.h"
 
@@ -104,16 +105,8 @@ private:
     // freedoms take steps that are too long.
     void project(Integrator& integrator) const {
         if (m_entry.remembersSteps || integrator.getState().getNMultipliers() == 0) return;
-        const MultibodySystem& system = m_mechanism.getSystem();
-        SimTK::ProjectOptions options(m_options.getConstraintTolerance());
-        options.setOption(SimTK::ProjectOptions::ForceProjection);
-        SimTK::ProjectResults results;
-        SimTK::Vector noErrors;
-        State& state = integrator.updAdvancedState();
-        system.realize(state, SimTK::Stage::Position);
-        system.projectQ(state, noErrors, options, results);
-        system.realize(state, SimTK::Stage::Velocity);
-        system.projectU(state, noErrors, options, results);
+        projectAtLeastOnce(m_mechanism.getSystem(), integrator.updAdvancedState(),
+                           m_options.getConstraintTolerance());
         integrator.reinitialize(SimTK::Stage::Position, false);
     }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "jprim/base/error.h"
+#include "simulation/projection.h"
 #include "simulation/stepper.h"
 
 namespace jprim {
@@ -70,15 +71,11 @@ private:
     // One step more than the tolerance needs: Newton's method then is at rounding.
     void project(State& state) const {
         const SimTK::MultibodySystem& system = m_mechanism.getSystem();
-        SimTK::ProjectOptions options(m_tolerance);
         SimTK::ProjectResults results;
         Vector noErrors;
         system.realize(state, Stage::Position);
-        system.projectQ(state, noErrors, options, results);
-        options.setOption(SimTK::ProjectOptions::ForceProjection);
-        system.projectQ(state, noErrors, options, results);
-        system.realize(state, Stage::Velocity);
-        system.projectU(state, noErrors, options, results);
+        system.projectQ(state, noErrors, SimTK::ProjectOptions(m_tolerance), results);
+        projectAtLeastOnce(system, state, m_tolerance);
     }
 
     const Mechanism& m_mechanism;

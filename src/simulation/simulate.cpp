@@ -17,6 +17,7 @@
 #include "simulation/redundancy.h"
 #include "simulation/sensor_watch.h"
 #include "simulation/stepper.h"
+#include "simulation/violation.h"
 
 namespace jprim {
 
@@ -39,12 +40,6 @@ void checkOptions(const SimulationOptions& options, double start) {
                     fmt::format("{} is not between 0 and 1", options.getConstraintTolerance()));
     if (!(options.maximumStep > 0))
         throw Error("maximum step", fmt::format("{} is not a positive time", options.maximumStep));
-}
-
-void keepWorst(Violation& worst, const Violation& now) {
-    if (std::max(now.length, now.angle) > std::max(worst.length, worst.angle)) worst.element = now.element;
-    worst.length = std::max(worst.length, now.length);
-    worst.angle = std::max(worst.angle, now.angle);
 }
 
 bool isHolonomic(const Mechanism& mechanism, const State& state) {
@@ -130,14 +125,14 @@ private:
             else
                 m_firing = m_watch.step(m_stepper, time);
             if (!m_firing) m_numSteps = m_stepper->getNumSteps();
-            watchEnergy();
+            if (m_stepper->getState().getTime() < time) watchEnergy();
         }
         if (!m_firing) return;
         m_outcome.summary.endedBy = m_firing->name;
         m_outcome.summary.isHalted = m_firing->halt;
     }
 
-    // Statics and kinematics do not keep it.
+    // Between output times, at which record() does; statics and kinematics do not keep it.
     void watchEnergy() {
         if (m_options.kind == SimulationKind::Statics || m_outcome.summary.isKinematic) return;
         m_mechanism.getSystem().realize(m_stepper->getState(), Stage::Acceleration);
@@ -147,11 +142,11 @@ private:
     void record() {
         const State& state = m_stepper->getState();
         m_mechanism.getSystem().realize(state, Stage::Acceleration);
+        m_energy.observe(state);
         const Violation violation = calcViolation(m_equations, state);
         checkPositions(state, violation);
         checkAccelerations(m_mechanism, state);
         m_recorder.record(state);
-        m_energy.observe(state);
         keepWorst(m_outcome.summary.worstViolation, violation);
     }
 

@@ -30,19 +30,24 @@ Violation calcViolation(const std::vector<ConstraintEquation>& equations, const 
     return violation;
 }
 
+void keepWorst(Violation& worst, const Violation& now) {
+    if (!now.element.empty() && std::max(now.length, now.angle) > std::max(worst.length, worst.angle))
+        worst.element = now.element;
+    worst.length = std::max(worst.length, now.length);
+    worst.angle = std::max(worst.angle, now.angle);
+}
+
 void addMisfits(const Mechanism& mechanism, const State& given, Violation& violation) {
     for (const MechanismPart& part : mechanism.getParts()) {
         if (part.ground) continue;
         Transform fit = part.body.getMobilizerTransform(given);
         Transform wanted = mechanism.calcGivenMobilizerPose(given, part);
         if (part.attachment.reversed) std::tie(fit, wanted) = std::pair(~fit, ~wanted);  // I in J
-        const Real length = max((wanted.p() - fit.p()).abs());
-        const Real angle = std::abs((~fit.R() * wanted.R()).convertRotationToAngleAxis()[0]);
-        if (!part.attachment.elements.empty() &&
-            std::max(length, angle) > std::max(violation.length, violation.angle))
-            violation.element = part.attachment.elements[0];
-        violation.length = std::max(violation.length, length);
-        violation.angle = std::max(violation.angle, angle);
+        Violation misfit;
+        misfit.length = max((wanted.p() - fit.p()).abs());
+        misfit.angle = std::abs((~fit.R() * wanted.R()).convertRotationToAngleAxis()[0]);
+        if (!part.attachment.elements.empty()) misfit.element = part.attachment.elements[0];
+        keepWorst(violation, misfit);
     }
 }
 

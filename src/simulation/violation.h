@@ -6,6 +6,9 @@
 
 namespace jprim {
 
+/// Makes `worst` the larger of both, lengths and angles apart, with the element of the largest.
+void keepWorst(Violation& worst, const Violation& now);
+
 /// Where the given poses do not fit a mobilizer, its joint is violated as equations in its place would be.
 /// @param given  the State that comes nearest to the given poses. Requires Stage::Position
 void addMisfits(const Mechanism& mechanism, const SimTK::State& given, Violation& violation);

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The identities that every constraint must satisfy off its manifold, for equations of all kinds.
-#include "support/conformance.h"
-
 #include <gtest/gtest.h>
 
 #include "jprim/general/general_constraint.h"
+#include "support/conformance.h"
 
 namespace jprim {
 namespace {
 
 using testing::Conformance;
 using testing::Tree;
+using testing::expressions::DifferenceTolerance;
+using testing::expressions::RoundingTolerance;
 
-// Differences of sixth order leave about 1e-11 on smooth functions of order one; angles near the poles of their
-// sequence have large higher derivatives.
-constexpr double DifferenceTolerance = 1e-7;
-constexpr double RoundingTolerance = 1e-12;
 constexpr int NumSeeds = 10;
 /// An equation between markers 1 and 2. Relative ones act on the two alone, with no net load.
 struct Case {

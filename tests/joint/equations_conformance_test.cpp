@@ -14,11 +14,8 @@ namespace {
 
 using testing::Conformance;
 using testing::Tree;
-
-// Differences of sixth order leave about 1e-11 on smooth functions of order one; angles near the poles of their
-// sequence have large higher derivatives.
-constexpr double DifferenceTolerance = 1e-7;
-constexpr double RoundingTolerance = 1e-12;
+using testing::expressions::DifferenceTolerance;
+using testing::expressions::RoundingTolerance;
 
 using MakeEquation = GeneralConstraint (*)(const Marker& I, const Marker& J);
 

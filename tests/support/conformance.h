@@ -37,6 +37,14 @@ Conformance measureConformance(const AddConstraint& add, Tree tree, int seed);
 SimTK::Rotation makeRandomRotation(SimTK::Random& random);
 SimTK::Vec3 makeRandomVec3(SimTK::Random& random);
 
+/// Of equations that are expressions.
+namespace expressions {
+// Differences of sixth order leave about 1e-11 on smooth functions of order one; angles near the poles of their
+// sequence have large higher derivatives.
+constexpr double DifferenceTolerance = 1e-7;
+constexpr double RoundingTolerance = 1e-12;
+}  // namespace expressions
+
 }  // namespace jprim::testing
 
 #endif
