@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each primitive beside Simbody's nearest built-in.
+// Each primitive beside Simbody's nearest built-in, and a joint beside Simbody's and beside its own primitives.
 #include "contest.h"
 #include "jprim/jprim.h"
 
@@ -16,6 +16,11 @@ using SimTK::Transform;
 template <class Primitive>
 void addPrimitive(MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
     Primitive(Marker(I, Transform(StationOnI)), Marker(J, X_BJ));
+}
+
+template <jprim::Joint (*Make)(const Marker&, const Marker&, const std::string&)>
+void addJoint(MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
+    Make(Marker(I, Transform(StationOnI)), Marker(J, X_BJ), "");
 }
 
 const std::vector<Contest> Contests = {
@@ -37,7 +42,16 @@ const std::vector<Contest> Contests = {
          Constraint::ConstantAngle(J, X_BJ.x(), I, SimTK::UnitVec3(SimTK::ZAxis), SimTK::Pi / 2);
          Constraint::ConstantAngle(J, X_BJ.y(), I, SimTK::UnitVec3(SimTK::ZAxis), SimTK::Pi / 2);
      }},
-    {"Perpendicular", "ConstantAngle", addPrimitive<jprim::Perpendicular>, jprim::benchmarks::addRightAngle}};
+    {"Perpendicular", "ConstantAngle", addPrimitive<jprim::Perpendicular>, jprim::benchmarks::addRightAngle},
+    {"Fixed", "Weld", addJoint<jprim::Joint::Fixed>,
+     [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
+         Constraint::Weld(J, X_BJ, I, Transform(StationOnI));
+     }},
+    {"Revolute", "AtPoint and ParallelAxes", addJoint<jprim::Joint::Revolute>,
+     [](MobilizedBody& J, MobilizedBody& I, const Transform& X_BJ) {
+         addPrimitive<jprim::AtPoint>(J, I, X_BJ);
+         addPrimitive<jprim::ParallelAxes>(J, I, X_BJ);
+     }}};
 
 }  // namespace
 

@@ -36,6 +36,7 @@
 #include "jprim/marker/load.h"
 #include "jprim/marker/marker.h"
 #include "jprim/marker/marker_pair.h"
+#include "jprim/primitive/pair_constraint.h"
 #include "jprim/primitive/primitive.h"
 #include "jprim/primitive/primitives.h"
 #include "jprim/simulation/assemble.h"

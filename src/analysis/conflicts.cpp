@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/described_primitive.h"
+#include "analysis/described_pair_constraint.h"
 #include "analysis/error_minimum.h"
 #include "analysis/random_vector.h"
 #include "analysis/rank.h"
@@ -70,22 +70,35 @@ ConflictReport findConflicts(const SimbodyMatterSubsystem& matter, const State& 
     return report;
 }
 
-// A primitive that holds two angles or three has |e| = 2 sin(angle / 2).
+namespace {
+
+// The angle that a primitive of two or three angles is off, |e| = 2 sin(angle / 2); of others 0.
+Real calcAngleOff(const PairEquations& part, const Real* e) {
+    const int count = part.getNumEquations();
+    if (part.isTranslational() || count < 2) return 0;
+    const Real size = Eigen::Map<const Eigen::VectorXd>(e, count).norm();
+    return 2 * std::asin(std::min(size / 2, Real(1)));
+}
+
+}  // namespace
+
 std::vector<FlippedAxes> findFlippedAxes(const SimbodyMatterSubsystem& matter, const State& state,
                                          const ElementNames& names) {
     const std::vector<ConstraintEquation> equations = findEquations(matter, state, names);
     std::vector<FlippedAxes> flipped;
     for (ConstraintIndex index(0); index < matter.getNumConstraints(); ++index) {
         const Constraint& constraint = matter.getConstraint(index);
-        const PrimitiveImpl* primitive = findPrimitive(constraint);
-        if (!primitive || primitive->isTranslational() || primitive->getNumEquations() < 2 ||
-            constraint.isDisabled(state))
-            continue;
-        const Real size = constraint.getPositionErrorsAsVector(state).norm();
-        const Real angle = 2 * std::asin(std::min(size / 2, Real(1)));
-        if (angle <= SimTK::Pi / 2) continue;
-        flipped.push_back(
-            {findElement(equations, index), primitive->getNumEquations() == 2 ? "z axes" : "axes", angle});
+        const PairConstraintImpl* pair = findPairConstraint(constraint);
+        if (!pair || constraint.isDisabled(state)) continue;
+        const SimTK::Vector errors = constraint.getPositionErrorsAsVector(state);
+        int first = 0;
+        for (const PairEquations* part : pair->getParts()) {
+            const Real angle = calcAngleOff(*part, &errors[first]);
+            first += part->getNumEquations();
+            if (angle <= SimTK::Pi / 2) continue;
+            const char* axes = part->getNumEquations() == 2 ? "z axes" : "axes";
+            flipped.push_back({findElement(equations, index), axes, angle});
+        }
     }
     return flipped;
 }

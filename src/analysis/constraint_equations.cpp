@@ -5,7 +5,7 @@
 
 #include <typeinfo>
 
-#include "analysis/described_primitive.h"
+#include "analysis/described_pair_constraint.h"
 
 namespace jprim {
 
@@ -66,17 +66,20 @@ std::string nameType(const Constraint& constraint) {
     return "Constraint";
 }
 
-// The name the user gave, else the primitive's own, else that of the class.
+std::vector<std::string> describeEquations(const PairConstraintImpl& pair) {
+    std::vector<std::string> words;
+    for (int k = 0; k < pair.getNumEquations(); ++k) words.push_back(pair.describeEquation(k));
+    return words;
+}
+
+// The name the user gave, else the element's own, else that of the class.
 ElementName findName(const Constraint& constraint, const ElementNames& names) {
     const ConstraintIndex index = constraint.getConstraintIndex();
     const auto given = names.find(index);
     if (given != names.end()) return given->second;
-    const PrimitiveImpl* primitive = findPrimitive(constraint);
-    if (!primitive) return {fmt::format("{} (constraint {})", nameType(constraint), int(index)), {}};
-    ElementName name{primitive->getDescription(), {}};
-    for (int k = 0; k < primitive->getNumEquations(); ++k)
-        name.equations.push_back(primitive->describeEquation(k));
-    return name;
+    const PairConstraintImpl* pair = findPairConstraint(constraint);
+    if (!pair) return {fmt::format("{} (constraint {})", nameType(constraint), int(index)), {}};
+    return {pair->getDescription(), describeEquations(*pair)};
 }
 
 void appendEquations(const Constraint& constraint, const State& state, const ElementNames& names,
@@ -85,7 +88,7 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
     constraint.getNumConstraintEquationsInUse(state, mp, mv, ma);
     MultiplierIndex firstP, firstV, firstA;
     constraint.getIndexOfMultipliersInUse(state, firstP, firstV, firstA);
-    const PrimitiveImpl* primitive = findPrimitive(constraint);
+    const PairConstraintImpl* pair = findPairConstraint(constraint);
     const ElementName name = findName(constraint, names);
     int number = 0;
     const auto append = [&](int count, MultiplierIndex first, EquationLevel level) {
@@ -94,7 +97,7 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
             equations.push_back({name.element,
                                  isNamed ? name.equations[number] : fmt::format("equation {}", number + 1),
                                  level, constraint.getConstraintIndex(), number, int(first) + k,
-                                 primitive ? primitive->isTranslational() : name.isLength});
+                                 pair ? pair->isTranslational(number) : name.isLength});
         }
     };
     append(mp, firstP, EquationLevel::Holonomic);
@@ -116,16 +119,11 @@ const char* getName(EquationLevel level) {
 ElementNames nameElements(const std::vector<Joint>& joints) {
     ElementNames names;
     for (const Joint& joint : joints) {
-        for (int p = 0; p < int(joint.getPrimitives().size()); ++p) {
-            const Primitive& primitive = joint.getPrimitives()[p];
-            ElementName& name = names[primitive.getConstraintIndex()];
-            name.element = joint.getDescription();
-            for (int k = 0; k < primitive.getNumEquations(); ++k)
-                name.equations.push_back(joint.describeEquation(p, k));
-        }
-        for (const GeneralConstraint& equation : joint.getEquations())
-            names[equation.getConstraintIndex()] = {
-                joint.getDescription(), {"its own equation"}, joint.getPrimitives().empty()};
+        const PairConstraintImpl* pair = findPairConstraint(joint.getConstraint());
+        ElementName& name = names[joint.getConstraint().getConstraintIndex()];
+        name.element = joint.getDescription();
+        name.equations = pair ? describeEquations(*pair) : std::vector<std::string>{"its own equation"};
+        name.isLength = !pair;
     }
     return names;
 }

@@ -80,16 +80,16 @@ std::vector<std::string> Mechanism::getSwitchableElements() const {
     return names;
 }
 
-std::vector<SimTK::Constraint> Mechanism::getConstraints(const std::string& element) const {
+SimTK::Constraint Mechanism::getConstraint(const std::string& element) const {
     for (const Connection& connection : m_connections)
         if (connection.name == element) {
-            if (connection.joint) return connection.joint->getConstraints();
+            if (connection.joint) return connection.joint->getConstraint();
             throw Error(element,
                         "is a mobilizer of the tree and cannot be switched; use the formulation by "
                         "constraints");
         }
     for (const Equation& equation : m_equations)
-        if (equation.name == element) return {equation.constraint};
+        if (equation.name == element) return equation.constraint;
     throw Error(element, "does not exist in this mechanism");
 }
 
@@ -108,8 +108,7 @@ std::vector<ConstraintEquation> Mechanism::findEquations(const State& state) con
     ElementNames names = getElementNames();
     for (const Connection& connection : m_connections) {
         if (!connection.joint) continue;
-        for (const SimTK::Constraint& constraint : connection.joint->getConstraints())
-            names[constraint.getConstraintIndex()].element = connection.name;
+        names[connection.joint->getConstraint().getConstraintIndex()].element = connection.name;
     }
     std::vector<ConstraintEquation> equations = jprim::findEquations(getMatter(), state, names);
     std::sort(equations.begin(), equations.end(),

@@ -9,7 +9,7 @@
 //     dq0/dt = -1/2 w.v ,  dv/dt = 1/2 (q0 w + w x v)
 //     d2e/dt2 = q0 dw/dt + dw/dt x v + dq0/dt w + w x dv/dt
 #include "jprim/primitive/primitives.h"
-#include "primitive/primitive_impl.h"
+#include "primitive/pair_equations.h"
 
 namespace jprim {
 namespace {
@@ -19,33 +19,30 @@ using SimTK::Real;
 using SimTK::SpatialVec;
 using SimTK::Vec3;
 
-class OrientationImpl : public PrimitiveImpl {
+class OrientationEquations : public PairEquations {
 public:
-    OrientationImpl(const Marker& I, const Marker& J, const std::string& name)
-        : PrimitiveImpl("ORIENTATION", Kind::Rotational,
-                        {"rotation between Zi and Yj", "rotation between Zi and Xj", "rotation about Zj"}, I,
-                        J, name) {}
+    OrientationEquations()
+        : PairEquations(Kind::Rotational,
+                        {"rotation between Zi and Yj", "rotation between Zi and Xj", "rotation about Zj"}) {}
 
-    Implementation* clone() const override { return new OrientationImpl(*this); }
-
-    void calcErrors(const MarkerPair& pair, Errors& e) const override {
-        e = 2. * calcQuaternion(pair).getSubVec<3>(1);
+    void calcErrors(const MarkerPair& pair, Real* e) const override {
+        Vec3::updAs(e) = 2. * calcQuaternion(pair).getSubVec<3>(1);
     }
 
-    void calcDirections(const MarkerPair& pair, Directions& d) const override {
+    void calcDirections(const MarkerPair& pair, SpatialVec* d) const override {
         const Quaternion q = calcQuaternion(pair);
         d[0] = SpatialVec(Vec3(q[0], q[3], -q[2]), Vec3(0));
         d[1] = SpatialVec(Vec3(-q[3], q[0], q[1]), Vec3(0));
         d[2] = SpatialVec(Vec3(q[2], -q[1], q[0]), Vec3(0));
     }
 
-    void calcBias(const MarkerPair& pair, const SpatialVec& V_J, Errors& bias) const override {
+    void calcBias(const MarkerPair& pair, const SpatialVec& V_J, Real* bias) const override {
         const Quaternion q = calcQuaternion(pair);
         const Vec3 v = q.getSubVec<3>(1);
         const Vec3& w = V_J[0];
         const Real q0dot = -0.5 * SimTK::dot(w, v);
         const Vec3 vdot = 0.5 * (q[0] * w + w % v);
-        bias = q0dot * w + w % vdot;
+        Vec3::updAs(bias) = q0dot * w + w % vdot;
     }
 
 private:
@@ -57,7 +54,12 @@ private:
 
 }  // namespace
 
+const PairEquations& getOrientationEquations() {
+    static const OrientationEquations equations;
+    return equations;
+}
+
 Orientation::Orientation(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive(new OrientationImpl(I, J, name)) {}
+    : Primitive("ORIENTATION", getOrientationEquations(), I, J, name) {}
 
 }  // namespace jprim

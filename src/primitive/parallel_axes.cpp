@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include "jprim/primitive/primitives.h"
-#include "primitive/primitive_impl.h"
+#include "primitive/pair_equations.h"
 
 namespace jprim {
 namespace {
@@ -48,27 +48,24 @@ struct TiltedAxis {
     Real s;
 };
 
-class ParallelAxesImpl : public PrimitiveImpl {
+class ParallelAxesEquations : public PairEquations {
 public:
-    ParallelAxesImpl(const Marker& I, const Marker& J, const std::string& name)
-        : PrimitiveImpl("PARALLEL_AXES", Kind::Rotational,
-                        {"rotation between Zi and Yj", "rotation between Zi and Xj"}, I, J, name) {}
+    ParallelAxesEquations()
+        : PairEquations(Kind::Rotational, {"rotation between Zi and Yj", "rotation between Zi and Xj"}) {}
 
-    Implementation* clone() const override { return new ParallelAxesImpl(*this); }
-
-    void calcErrors(const MarkerPair& pair, Errors& e) const override {
+    void calcErrors(const MarkerPair& pair, Real* e) const override {
         const TiltedAxis axis(pair);
         e[0] = -2 * axis.z[1] / axis.s;
         e[1] = 2 * axis.z[0] / axis.s;
     }
 
-    void calcDirections(const MarkerPair& pair, Directions& d) const override {
+    void calcDirections(const MarkerPair& pair, SpatialVec* d) const override {
         const TiltedAxis axis(pair);
         d[0] = SpatialVec(axis.z % axis.calcE0(), Vec3(0));
         d[1] = SpatialVec(axis.z % axis.calcE1(), Vec3(0));
     }
 
-    void calcBias(const MarkerPair& pair, const SpatialVec& V_J, Errors& bias) const override {
+    void calcBias(const MarkerPair& pair, const SpatialVec& V_J, Real* bias) const override {
         const TiltedAxis axis(pair);
         const Vec3& z = axis.z;
         const Real s3 = axis.s * axis.s * axis.s;
@@ -85,7 +82,12 @@ public:
 
 }  // namespace
 
+const PairEquations& getParallelAxesEquations() {
+    static const ParallelAxesEquations equations;
+    return equations;
+}
+
 ParallelAxes::ParallelAxes(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive(new ParallelAxesImpl(I, J, name)) {}
+    : Primitive("PARALLEL_AXES", getParallelAxesEquations(), I, J, name) {}
 
 }  // namespace jprim

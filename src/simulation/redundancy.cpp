@@ -12,12 +12,12 @@ using SimTK::Constraint;
 using SimTK::Real;
 using SimTK::State;
 
-DroppedEquations::Dropped DroppedEquations::drop(const Primitive& primitive,
+DroppedEquations::Dropped DroppedEquations::drop(const PairConstraint& constraint,
                                                  const ConstraintEquation& equation, State& state) {
     const int k = equation.number;
-    primitive.dropEquation(state, k);
-    return {equation, false, [primitive, k](const State& s) { return primitive.calcEquationError(s, k); },
-            [primitive, k](State& s) { primitive.restoreEquation(s, k); }};
+    constraint.dropEquation(state, k);
+    return {equation, false, [constraint, k](const State& s) { return constraint.calcEquationError(s, k); },
+            [constraint, k](State& s) { constraint.restoreEquation(s, k); }};
 }
 
 DroppedEquations::Dropped DroppedEquations::drop(const GeneralConstraint& constraint,
@@ -31,11 +31,10 @@ DroppedEquations::Dropped DroppedEquations::drop(const Mechanism& mechanism,
                                                  const ConstraintEquation& equation, State& state) {
     const auto isIts = [&](const Constraint& c) { return c.getConstraintIndex() == equation.constraint; };
     for (const Connection& connection : mechanism.getConnections()) {
-        if (!connection.joint) continue;
-        for (const Primitive& primitive : connection.joint->getPrimitives())
-            if (isIts(primitive)) return drop(primitive, equation, state);
-        for (const GeneralConstraint& constraint : connection.joint->getEquations())
-            if (isIts(constraint)) return drop(constraint, equation, state);
+        if (!connection.joint || !isIts(connection.joint->getConstraint())) continue;
+        if (const PairConstraint* pair = connection.joint->getPairConstraint())
+            return drop(*pair, equation, state);
+        return drop(*connection.joint->getGeneralConstraint(), equation, state);
     }
     for (const Equation& element : mechanism.getEquations())
         if (isIts(element.constraint)) return drop(element.constraint, equation, state);

@@ -43,7 +43,8 @@ private:
         std::function<SimTK::Real(const SimTK::State&)> calcError;
         std::function<void(SimTK::State&)> restore;
     };
-    static Dropped drop(const Primitive& primitive, const ConstraintEquation& equation, SimTK::State& state);
+    static Dropped drop(const PairConstraint& constraint, const ConstraintEquation& equation,
+                        SimTK::State& state);
     static Dropped drop(const GeneralConstraint& constraint, const ConstraintEquation& equation,
                         SimTK::State& state);
     static Dropped drop(const Mechanism& mechanism, const ConstraintEquation& equation, SimTK::State& state);

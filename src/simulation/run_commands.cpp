@@ -118,12 +118,11 @@ private:
     }
 
     void switchElement(const std::string& name, bool active) {
-        for (const SimTK::Constraint& constraint : m_mechanism.getConstraints(name)) {
-            if (active)
-                constraint.enable(*m_state);
-            else
-                constraint.disable(*m_state);
-        }
+        const SimTK::Constraint constraint = m_mechanism.getConstraint(name);
+        if (active)
+            constraint.enable(*m_state);
+        else
+            constraint.disable(*m_state);
     }
 
     const Mechanism& m_mechanism;

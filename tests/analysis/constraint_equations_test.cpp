@@ -105,10 +105,12 @@ TEST(ConstraintEquations, WordsThatDoNotExist) {
     FreeBodies pair;
     pair.addBody();
     pair.addJoint(Joint::Revolute, 0, Ground, Transform());
-    EXPECT_EQ(testing::catchError([&] { pair.joints[0].describeEquation(1, 2); }),
-              "JOINT/1 PARALLEL_AXES: has no equation 2; use 0 to 1");
-    EXPECT_EQ(testing::catchError([&] { pair.joints[0].describeEquation(2, 0); }),
-              "JOINT/1 REVOLUTE: has no primitive 2; use 0 to 1");
+    const PairConstraint& revolute = *pair.joints[0].getPairConstraint();
+    EXPECT_EQ(revolute.describeEquation(4), "rotation between Zi and Xj");
+    EXPECT_EQ(testing::catchError([&] { revolute.describeEquation(5); }),
+              "JOINT/1 REVOLUTE: has no equation 5; use 0 to 4");
+    EXPECT_EQ(testing::catchError([&] { revolute.isTranslational(-1); }),
+              "JOINT/1 REVOLUTE: has no equation -1; use 0 to 4");
 }
 
 //--------------------------------------------------------------------------- Simbody's constraints

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The identities of section 7 of the mathematics, off the manifold, for all six primitives; and one
+// The identities of section 7 of the mathematics, off the manifold, for all six primitives and joints of two; and one
 // deliberately wrong primitive for each identity, which the suite must refuse.
 #include "support/conformance.h"
 
 #include <gtest/gtest.h>
 
 #include "jprim/jprim.h"
-#include "primitive/primitive_impl.h"
 #include "support/mutants.h"
 
 namespace jprim {
@@ -42,6 +41,19 @@ Member makeMember(const char* name, int equations) {
     return {name, equations, [](const Marker& I, const Marker& J) -> Constraint { return Type(I, J); }};
 }
 
+template <Joint (*Make)(const Marker&, const Marker&, const std::string&)>
+Member makeJoint(const char* name, int equations) {
+    return {name, equations,
+            [](const Marker& I, const Marker& J) -> Constraint { return Make(I, J, "").getConstraint(); }};
+}
+
+template <bool Opposed>
+Member makeConvel(const char* name) {
+    return {name, 4, [](const Marker& I, const Marker& J) -> Constraint {
+                return Joint::Convel(I, J, Opposed).getConstraint();
+            }};
+}
+
 class PrimitiveConformance : public ::testing::TestWithParam<std::tuple<Member, Tree>> {};
 
 TEST_P(PrimitiveConformance, HoldsOffTheManifold) {
@@ -67,6 +79,19 @@ INSTANTIATE_TEST_SUITE_P(
                                          makeMember<Perpendicular>("Perpendicular", 1)),
                        ::testing::Values(Tree::AncestorMoves, Tree::IOnGround, Tree::JOnGround,
                                          Tree::FlexibleI, Tree::FlexibleJ, Tree::FlexibleBoth)),
+    [](const auto& info) {
+        return std::string(std::get<0>(info.param).name) + getName(std::get<1>(info.param));
+    });
+
+// Equations of two kinds in one constraint, and those that no primitive has.
+INSTANTIATE_TEST_SUITE_P(
+    Joints, PrimitiveConformance,
+    ::testing::Combine(::testing::Values(makeJoint<Joint::Revolute>("Revolute", 5),
+                                         makeJoint<Joint::Translational>("Translational", 5),
+                                         makeJoint<Joint::Fixed>("Fixed", 6),
+                                         makeJoint<Joint::Hooke>("Hooke", 4), makeConvel<false>("Convel"),
+                                         makeConvel<true>("ConvelOpposed")),
+                       ::testing::Values(Tree::AncestorMoves, Tree::FlexibleBoth)),
     [](const auto& info) {
         return std::string(std::get<0>(info.param).name) + getName(std::get<1>(info.param));
     });

@@ -107,7 +107,9 @@ void RandomDataset::addRequests() {
     int id = 0;
     for (const char* type : {"DISPLACEMENT", "VELOCITY", "ACCELERATION", "FORCE"})
         m_text += fmt::format("REQUEST/{},{},I={},J={},RM={}\n", ++id, type, i, j, rm);
-    m_text += fmt::format("REQUEST/{},F2=AX({},{})\\F3=ACCX({})\\F4=FZ({},{},{})\n", ++id, i, j, i, i, j, rm);
+    // AX itself jumps by half a turn where a PERPENDICULAR's z_I passes x_J, to either side.
+    m_text +=
+        fmt::format("REQUEST/{},F2=SIN(AX({},{}))\\F3=ACCX({})\\F4=FZ({},{},{})\n", ++id, i, j, i, i, j, rm);
 }
 
 void RandomDataset::addForces() {

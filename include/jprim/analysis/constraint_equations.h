@@ -37,11 +37,11 @@ struct ConstraintEquation {
 struct ElementName {
     std::string element;
     std::vector<std::string> equations;  ///< words for each; where they end, "equation 3"
-    bool isLength = false;               ///< errors are lengths; a primitive says so itself
+    bool isLength = false;               ///< errors are lengths; a PairConstraint says so itself
 };
 using ElementNames = std::map<SimTK::ConstraintIndex, ElementName>;
 
-/// Names for what joints are made of: a REVOLUTE, not its ATPOINT and PARALLEL_AXES.
+/// Names for joints, among them those of one equation that only the Joint knows by its type.
 ElementNames nameElements(const std::vector<Joint>& joints);
 
 /// All equations in use, in the order in which the constraints were added to the system. Constraints without

@@ -172,9 +172,9 @@ public:
     SimTK::Real calcJPRIM(const SimTK::State& state, int id, int jflag, int comp, int rm = 0) const;
     SimTK::Real calcJOINT(const SimTK::State& state, int id, int jflag, int comp, int rm = 0) const;
 
-    /// The elements that can be switched off and on, "JPRIM/3", and the constraints that each is made of.
+    /// The elements that can be switched off and on, "JPRIM/3", and the constraint that each is.
     std::vector<std::string> getSwitchableElements() const;
-    std::vector<SimTK::Constraint> getConstraints(const std::string& element) const;
+    SimTK::Constraint getConstraint(const std::string& element) const;
 
     /// What the constraints are called in a diagnosis: "JOINT/3 REVOLUTE" and what each equation holds.
     ElementNames getElementNames() const;

@@ -45,7 +45,7 @@ public:
     GeneralConstraint& setDefaultScale(SimTK::Real scale);
 
     /// @name Dropping the equation
-    /// As Primitive::dropEquation(): an equation that follows from others then holds nothing and carries no
+    /// As PairConstraint::dropEquation(): an equation that follows from others then holds nothing and carries no
     /// load. Needs Stage::Topology and changes Stage::Position.
     ///@{
     void dropEquation(SimTK::State& state) const;

@@ -3,6 +3,7 @@
 #define JPRIM_JOINT_JOINT_H_
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "jprim/general/general_constraint.h"
@@ -10,8 +11,8 @@
 
 namespace jprim {
 
-/// A recognisable joint: a bundle of primitives between two markers, with one name and one reaction. The
-/// markers' meaning is Adams' (statement JOINT); the z axis is the joint's axis unless noted.
+/// A recognisable joint: the equations of one or two primitives between two markers as one constraint, with one name
+/// and one reaction. The markers' meaning is Adams' (statement JOINT); the z axis is the joint's axis unless noted.
 ///
 /// | joint | made of | freedoms left |
 /// | --- | --- | --- |
@@ -30,8 +31,11 @@ namespace jprim {
 /// Screw and Rackpin count whole turns. The angle of a Rackpin is that of I about z_I, from where x_I points
 /// along z_J.
 ///
-/// Each factory adds the primitives to the markers' system and throws Error as they do. A Joint is a value:
-/// copies refer to the same constraints.
+/// Of the load on I at I's origin, the force is what the first primitive would carry and the moment what the second
+/// would, in all but a Screw and a Rackpin.
+///
+/// Each factory adds the constraint to the markers' system and throws Error as primitives do. A Joint is a value:
+/// copies refer to the same constraint.
 class Joint {
 public:
     static Joint Spherical(const Marker& I, const Marker& J, const std::string& name = "");
@@ -53,7 +57,7 @@ public:
     static Joint Rackpin(const Marker& I, const Marker& J, SimTK::Real diameter, SimTK::Real offset = 0,
                          const std::string& name = "");
 
-    /// A bundle of one, with the primitive's type and name: lets a JPRIM stand where a JOINT does.
+    /// A joint of one primitive, with its type and name: lets a JPRIM stand where a JOINT does.
     explicit Joint(const Primitive& primitive);
 
     /// Adams' word for the type: "REVOLUTE".
@@ -63,25 +67,21 @@ public:
     /// The name and the type, or the type alone: what messages call this joint.
     std::string getDescription() const;
 
-    /// The primitives, the translational one first.
-    const std::vector<Primitive>& getPrimitives() const { return m_primitives; }
-    /// The equation of a Convel, Screw or Rackpin; of other joints none.
-    const std::vector<GeneralConstraint>& getEquations() const { return m_equations; }
-    /// All of these, as Simbody's constraints.
-    std::vector<SimTK::Constraint> getConstraints() const;
+    /// The constraint, as Simbody's and as what it is: of the two others one is null.
+    const SimTK::Constraint& getConstraint() const;
+    const PairConstraint* getPairConstraint() const { return std::get_if<PairConstraint>(&m_constraint); }
+    /// Of a Screw or a Rackpin.
+    const GeneralConstraint* getGeneralConstraint() const {
+        return std::get_if<GeneralConstraint>(&m_constraint);
+    }
 
-    /// What equation k of the p-th primitive holds, in words and the axes of the joint's markers.
-    /// @throws Error if there is no such equation
-    std::string describeEquation(int p, int k) const;
+    /// Switch the constraint off or on in this State. Requires Stage::Model.
+    void disable(SimTK::State& state) const { getConstraint().disable(state); }
+    void enable(SimTK::State& state) const { getConstraint().enable(state); }
+    bool isDisabled(const SimTK::State& state) const { return getConstraint().isDisabled(state); }
 
-    /// Switch all constraints off or on in this State. Requires Stage::Model.
-    void disable(SimTK::State& state) const;
-    void enable(SimTK::State& state) const;
-    /// True if all are off.
-    bool isDisabled(const SimTK::State& state) const;
-
-    /// @name Total reaction
-    /// Sum over the constraints, [moment, force] acting on the marker's body, in Ground's axes or those of a
+    /// @name Reaction
+    /// [moment, force] acting on the marker's body, in Ground's axes or those of a
     /// marker; on I at I's origin, on J at J's origin with the lever -r x F_I. Requires Stage::Acceleration.
     ///@{
     SimTK::SpatialVec calcReactionOnI(const SimTK::State& state) const;
@@ -97,13 +97,14 @@ public:
     ///@}
 
 private:
-    Joint(const char* adamsType, const std::string& name, std::vector<Primitive> primitives,
-          std::vector<GeneralConstraint> equations = {});
+    using Parts = std::vector<const PairEquations*>;
+    Joint(const char* adamsType, const Parts& parts, const Marker& I, const Marker& J,
+          const std::string& name);
+    Joint(const char* adamsType, const GeneralConstraint& constraint);
 
     const char* m_adamsType;
     std::string m_name;
-    std::vector<Primitive> m_primitives;
-    std::vector<GeneralConstraint> m_equations;
+    std::variant<PairConstraint, GeneralConstraint> m_constraint;
 };
 
 }  // namespace jprim

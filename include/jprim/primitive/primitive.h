@@ -4,81 +4,19 @@
 
 #include <string>
 
-#include "jprim/marker/marker.h"
+#include "jprim/primitive/pair_constraint.h"
 
 namespace jprim {
 
-class PrimitiveImpl;
-
-/// What the six joint primitives have in common: two markers, a name and reactions. A primitive is an
-/// ordinary SimTK::Constraint; disable(), enable(), getPositionErrorsAsVector() and the rest work as
-/// Simbody says. A handle holds no data and may be copied freely.
-///
-/// Reactions are loads [moment, force] **acting on the marker's body**, expressed in Ground unless a marker
-/// is given whose axes to use. They need Stage::Acceleration and are zero while the constraint is disabled.
-/// The load on J is equal and opposite to the load on I; at J's origin it carries the lever:
-/// M_J = -M_I - r x F_I with r from J's origin to I's. Source: Adams/Solver C++, statement JPRIM.
-class Primitive : public SimTK::Constraint::Custom {
+/// What the six joint primitives have in common: one to three equations that are all lengths or all angles.
+class Primitive : public PairConstraint {
 public:
     /// An empty handle; good only to be assigned to.
     Primitive() = default;
 
-    /// @name Identity
-    /// The name appears in every message, e.g. "JPRIM/12". Changing it does not touch the topology.
-    ///@{
-    const std::string& getName() const;
-    Primitive& setName(const std::string& name);
-    /// Adams' word for the type: "INLINE".
-    const char* getAdamsType() const;
     /// True if the equations are lengths and the reaction is a force; false if they are angles and it is a
     /// torque.
-    bool isTranslational() const;
-    /// Number of equations, 1 to 3.
-    int getNumEquations() const;
-    /// What equation k = 0, 1 … holds, in words and the axes of the markers: "translation of I along Xj",
-    /// "rotation between Zi and Xj" for the angle between these two axes.
-    /// @throws Error if there is no such equation
-    std::string describeEquation(int k) const;
-    ///@}
-
-    /// @name Markers
-    /// A marker's body or node is fixed at construction. Its pose on that (X: X_BM, or X_NM of a flexible
-    /// marker) has a default, which belongs to the topology, and a value in each State, which belongs to
-    /// Stage::Position: setting it needs Stage::Topology and no rebuilding. A changed pose may violate the constraint; assemble again.
-    ///@{
-    Marker getDefaultMarkerI() const;
-    Marker getDefaultMarkerJ() const;
-    Primitive& setDefaultMarkerI(const SimTK::Transform& X);
-    Primitive& setDefaultMarkerJ(const SimTK::Transform& X);
-    Marker getMarkerI(const SimTK::State& state) const;
-    Marker getMarkerJ(const SimTK::State& state) const;
-    void setMarkerI(SimTK::State& state, const SimTK::Transform& X) const;
-    void setMarkerJ(SimTK::State& state, const SimTK::Transform& X) const;
-    ///@}
-
-    /// @name Single equations
-    /// An equation k = 0, 1 … that follows from other constraints can be dropped in a State: it then holds
-    /// nothing and carries no load. Dropping and restoring need Stage::Topology and change Stage::Position.
-    /// All throw Error if there is no such equation.
-    ///@{
-    void dropEquation(SimTK::State& state, int k) const;
-    void restoreEquation(SimTK::State& state, int k) const;
-    bool isEquationDropped(const SimTK::State& state, int k) const;
-    /// The error e_k [length or rad], also of a dropped equation. Requires Stage::Position.
-    SimTK::Real calcEquationError(const SimTK::State& state, int k) const;
-    ///@}
-
-    /// @name Reactions
-    ///@{
-    /// On I, at I's origin.
-    SimTK::SpatialVec calcReactionOnI(const SimTK::State& state) const;
-    SimTK::SpatialVec calcReactionOnI(const SimTK::State& state, const Marker& axes) const;
-    /// On J, at J's origin: [-M_I - r x F_I, -F_I].
-    SimTK::SpatialVec calcReactionOnJ(const SimTK::State& state) const;
-    SimTK::SpatialVec calcReactionOnJ(const SimTK::State& state, const Marker& axes) const;
-    /// On J's body, at the point that is now under I's origin: [-M_I, -F_I].
-    SimTK::SpatialVec calcReactionOnJAtI(const SimTK::State& state) const;
-    SimTK::SpatialVec calcReactionOnJAtI(const SimTK::State& state, const Marker& axes) const;
+    bool isTranslational() const { return PairConstraint::isTranslational(0); }
 
     /// Adams' function JPRIM(id, jflag, comp, rm).
     /// @param state  realized to Stage::Acceleration
@@ -89,15 +27,11 @@ public:
     SimTK::Real JPRIM(const SimTK::State& state, int jflag, int comp, const Marker& rm) const;
     /// The same in Ground's axes.
     SimTK::Real JPRIM(const SimTK::State& state, int jflag, int comp) const;
-    ///@}
 
 protected:
-    /// Takes over the implementation and adds the constraint to the matter subsystem of its markers.
-    explicit Primitive(PrimitiveImpl* implementation);
-
-private:
-    const PrimitiveImpl& getImpl() const;
-    PrimitiveImpl& updImpl();
+    /// Adds the constraint to the matter subsystem of its markers.
+    Primitive(const char* adamsType, const PairEquations& equations, const Marker& I, const Marker& J,
+              const std::string& name);
 };
 
 }  // namespace jprim

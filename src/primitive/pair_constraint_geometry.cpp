@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "primitive/primitive_impl.h"
+#include "primitive/pair_constraint_impl.h"
 
 namespace jprim {
 
@@ -12,8 +12,8 @@ using SimTK::Transform;
 using SimTK::Vec3;
 
 // Both triads, and through I's origin each constrained direction: red for a force, magenta for a torque.
-void PrimitiveImpl::calcDecorativeGeometryAndAppend(const State& state, Stage stage,
-                                                    Array_<SimTK::DecorativeGeometry>& geometry) const {
+void PairConstraintImpl::calcDecorativeGeometryAndAppend(const State& state, Stage stage,
+                                                         Array_<SimTK::DecorativeGeometry>& geometry) const {
     if (stage != Stage::Position) return;
     constexpr Real TriadSize = 0.1, DirectionSize = 0.15;
     const Placements& placements = getPlacements(state);
@@ -25,7 +25,7 @@ void PrimitiveImpl::calcDecorativeGeometryAndAppend(const State& state, Stage st
     const MarkerPair pair(X_GI, X_GJ);
     Directions d;
     calcDirections(pair, d);
-    for (int k = 0; k < m_numEquations; ++k) {
+    for (int k = 0; k < getNumEquations(); ++k) {
         const SpatialVec load = pair.calcLoadOnI(d[k]);
         const bool isForce = load[1].normSqr() > 0;
         const Vec3 direction = isForce ? load[1] : load[0];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef JPRIM_SRC_ANALYSIS_DESCRIBED_PRIMITIVE_H_
-#define JPRIM_SRC_ANALYSIS_DESCRIBED_PRIMITIVE_H_
+#ifndef JPRIM_SRC_ANALYSIS_DESCRIBED_PAIR_CONSTRAINT_H_
+#define JPRIM_SRC_ANALYSIS_DESCRIBED_PAIR_CONSTRAINT_H_
 
-#include "primitive/primitive_impl.h"
+#include "primitive/pair_constraint_impl.h"
 
 namespace jprim {
 
@@ -12,11 +12,11 @@ struct CustomHandle : SimTK::Constraint::Custom {
     using Custom::getImplementation;
 };
 
-/// The primitive that a constraint is, or null.
-inline const PrimitiveImpl* findPrimitive(const SimTK::Constraint& constraint) {
+/// The primitive or joint that a constraint is, or null.
+inline const PairConstraintImpl* findPairConstraint(const SimTK::Constraint& constraint) {
     using Custom = SimTK::Constraint::Custom;
     if (!Custom::isInstanceOf(constraint)) return nullptr;
-    return dynamic_cast<const PrimitiveImpl*>(
+    return dynamic_cast<const PairConstraintImpl*>(
         &CustomHandle(Custom::downcast(constraint)).getImplementation());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "primitive/primitive_impl.h"
+#include "primitive/pair_constraint_impl.h"
 
 #include <fmt/format.h>
 
@@ -44,22 +44,30 @@ SimbodyMatterSubsystem& findMatter(const Marker& I, const Marker& J, const std::
     return const_cast<SimbodyMatterSubsystem&>(matter);  // adding a constraint is what the caller asked for
 }
 
+int countEquations(const PairConstraintImpl::Parts& parts) {
+    int count = 0;
+    for (const PairEquations* part : parts) count += part->getNumEquations();
+    return count;
+}
+
 }  // namespace
 
-PrimitiveImpl::PrimitiveImpl(const char* adamsType, Kind kind, const Words& words, const Marker& I,
-                             const Marker& J, const std::string& name)
-    : Implementation(findMatter(I, J, describe(adamsType, name)), int(words.size()), 0, 0),
+PairConstraintImpl::PairConstraintImpl(const char* adamsType, const Parts& parts, const Marker& I,
+                                       const Marker& J, const std::string& name)
+    : Implementation(findMatter(I, J, describe(adamsType, name)), countEquations(parts), 0, 0),
       m_name(name),
       m_adamsType(adamsType),
-      m_isTranslational(kind == Kind::Translational),
-      m_words(words),
-      m_numEquations(int(words.size())),
+      m_parts(parts),
       m_defaultI(I),
       m_defaultJ(J),
       m_I(addMarker(I)),
-      m_J(addMarker(J)) {}
+      m_J(addMarker(J)) {
+    for (const PairEquations* part : parts)
+        for (int k = 0; k < part->getNumEquations(); ++k)
+            m_equations.push_back({part->describe(k), part->isTranslational()});
+}
 
-ConstrainedMarker PrimitiveImpl::addMarker(const Marker& marker) {
+ConstrainedMarker PairConstraintImpl::addMarker(const Marker& marker) {
     const ConstrainedMarker added{addConstrainedBody(marker.getBody()), marker.getNode(), m_numCoordinates};
     m_numCoordinates += added.getNumCoordinates();
     if (!added.node) return added;
@@ -68,56 +76,73 @@ ConstrainedMarker PrimitiveImpl::addMarker(const Marker& marker) {
     return added;
 }
 
-std::string PrimitiveImpl::getDescription() const {
+std::string PairConstraintImpl::getDescription() const {
     return describe(m_adamsType, m_name);
 }
 
 //------------------------------------------------------------------------------------------ State
 // Our entries are valid from their stage on because realizePosition() and realizeVelocity() below fill them.
-void PrimitiveImpl::realizeTopology(State& state) const {
+void PairConstraintImpl::realizeTopology(State& state) const {
     const SimbodyMatterSubsystem& matter = getMatterSubsystem();
     m_subsystem = matter.getMySubsystemIndex();
     m_placements = matter.allocateDiscreteVariable(state, Stage::Position,
                                                    new Value<Placements>(getDefaultPlacements()));
     PositionCache cache;
-    cache.modalRows.resize(size_t(m_numEquations * m_numCoordinates));
+    cache.modalRows.resize(size_t(getNumEquations() * m_numCoordinates));
     m_positionCache = matter.allocateCacheEntry(state, Stage::Position, new Value<PositionCache>(cache));
     m_bias = matter.allocateCacheEntry(state, Stage::Velocity, new Value<Errors>());
 }
 
-void PrimitiveImpl::realizePosition(const State& state) const {
+void PairConstraintImpl::realizePosition(const State& state) const {
     calcPositionCache(state, updEntry<PositionCache>(state, m_subsystem, m_positionCache));
 }
 
-void PrimitiveImpl::realizeVelocity(const State& state) const {
+void PairConstraintImpl::realizeVelocity(const State& state) const {
     updEntry<Errors>(state, m_subsystem, m_bias) = calcBodyBias(state);
 }
 
-void PrimitiveImpl::setDefaultPlacements(const Placements& placements) {
+void PairConstraintImpl::setDefaultPlacements(const Placements& placements) {
     invalidateTopologyCache();
     m_defaultI = getMarkerI(placements.I);
     m_defaultJ = getMarkerJ(placements.J);
 }
 
-const PrimitiveImpl::Placements& PrimitiveImpl::getPlacements(const State& state) const {
+const PairConstraintImpl::Placements& PairConstraintImpl::getPlacements(const State& state) const {
     return static_cast<const Value<Placements>&>(state.getDiscreteVariable(m_subsystem, m_placements)).get();
 }
 
-PrimitiveImpl::Placements& PrimitiveImpl::updPlacements(State& state) const {
+PairConstraintImpl::Placements& PairConstraintImpl::updPlacements(State& state) const {
     return static_cast<Value<Placements>&>(state.updDiscreteVariable(m_subsystem, m_placements)).upd();
 }
 
 // Some of Simbody's operators run on a State whose positions are known while its stage is still lower.
-const PrimitiveImpl::PositionCache& PrimitiveImpl::getPositionCache(const State& state) const {
+const PairConstraintImpl::PositionCache& PairConstraintImpl::getPositionCache(const State& state) const {
     PositionCache& cache = updEntry<PositionCache>(state, m_subsystem, m_positionCache);
     if (state.getSubsystemStage(m_subsystem) < Stage::Position) calcPositionCache(state, cache);
     return cache;
 }
 
-const PrimitiveImpl::Errors& PrimitiveImpl::getBias(const State& state) const {
+const PairConstraintImpl::Errors& PairConstraintImpl::getBias(const State& state) const {
     Errors& bias = updEntry<Errors>(state, m_subsystem, m_bias);
     if (state.getSubsystemStage(m_subsystem) < Stage::Velocity) bias = calcBodyBias(state);
     return bias;
+}
+
+//---------------------------------------------------------------------------------- the equations
+void PairConstraintImpl::calcErrors(const MarkerPair& pair, Errors& e) const {
+    Real* next = e.data();
+    for (const PairEquations* part : m_parts) {
+        part->calcErrors(pair, next);
+        next += part->getNumEquations();
+    }
+}
+
+void PairConstraintImpl::calcDirections(const MarkerPair& pair, Directions& d) const {
+    SpatialVec* next = d.data();
+    for (const PairEquations* part : m_parts) {
+        part->calcDirections(pair, next);
+        next += part->getNumEquations();
+    }
 }
 
 //------------------------------------------------------------------------- from markers to bodies
@@ -125,7 +150,7 @@ const PrimitiveImpl::Errors& PrimitiveImpl::getBias(const State& state) const {
 //     momentI = t + s_I x f      momentJ = -t - (r + s_J) x f
 // so that by virtue of power de/dt = momentI.w_I + momentJ.w_J + f.(v_I - v_J) for the bodies' velocities,
 // plus for flexible markers what the two loads do to each coordinate times its rate.
-void PrimitiveImpl::calcPositionCache(const State& state, PositionCache& cache) const {
+void PairConstraintImpl::calcPositionCache(const State& state, PositionCache& cache) const {
     const Placements& placements = getPlacements(state);
     const Transform& X_ABI = getBodyTransformFromState(state, m_I.body);
     const Transform& X_ABJ = getBodyTransformFromState(state, m_J.body);
@@ -138,12 +163,12 @@ void PrimitiveImpl::calcPositionCache(const State& state, PositionCache& cache) 
         if (placements.isDropped[k]) cache.directions[k] = SpatialVec(Vec3(0), Vec3(0));
     std::fill(cache.modalRows.begin(), cache.modalRows.end(), 0);
     Real* modal = cache.modalRows.data();
-    for (int k = 0; k < m_numEquations; ++k) {
-        const SpatialVec F_I = pair.calcLoadOnI(cache.directions[k]);
-        const SpatialVec F_J = pair.calcLoadOnJ(cache.directions[k]);
+    for (int k = 0; k < getNumEquations(); ++k) {
+        const SpatialVec F_I = pair.calcLoadOnI(cache.directions[size_t(k)]);
+        const SpatialVec F_J = pair.calcLoadOnJ(cache.directions[size_t(k)]);
         const SpatialVec onI = SimTK::shiftForceBy(F_I, X_ABI.p() - X_AI.p());
         const SpatialVec onJ = SimTK::shiftForceBy(F_J, X_ABJ.p() - X_AJ.p());
-        cache.rows[k] = {onI[0], onJ[0], onI[1]};
+        cache.rows[size_t(k)] = {onI[0], onJ[0], onI[1]};
         m_I.addModalLoads(state, X_ABI, placements.I, F_I, modal);
         m_J.addModalLoads(state, X_ABJ, placements.J, F_J, modal + m_I.getNumCoordinates());
         modal += m_numCoordinates;
@@ -151,7 +176,7 @@ void PrimitiveImpl::calcPositionCache(const State& state, PositionCache& cache) 
 }
 
 // d2e/dt2 where the bodies and coordinates have their velocities and no acceleration.
-PrimitiveImpl::Errors PrimitiveImpl::calcBodyBias(const State& state) const {
+PairConstraintImpl::Errors PairConstraintImpl::calcBodyBias(const State& state) const {
     const Placements& placements = getPlacements(state);
     const Transform& X_ABI = getBodyTransformFromState(state, m_I.body);
     const Transform& X_ABJ = getBodyTransformFromState(state, m_J.body);
@@ -165,100 +190,97 @@ PrimitiveImpl::Errors PrimitiveImpl::calcBodyBias(const State& state) const {
     const SpatialVec A_AJ = m_J.calcAccelerationBias(state, X_ABJ, V_ABJ, placements.J);
     const SpatialVec A_J = pair.calcAcceleration(V_AI, V_AJ, A_AI, A_AJ);
 
-    Errors bias(0);
-    calcBias(pair, pair.calcVelocity(V_AI, V_AJ), bias);
+    const SpatialVec V_J = pair.calcVelocity(V_AI, V_AJ);
+    Errors bias{};
+    Real* next = bias.data();
+    for (const PairEquations* part : m_parts) {
+        part->calcBias(pair, V_J, next);
+        next += part->getNumEquations();
+    }
     const Directions& d = getPositionCache(state).directions;
-    for (int k = 0; k < m_numEquations; ++k)
-        bias[k] = placements.isDropped[size_t(k)]
-                      ? 0
-                      : bias[k] + SimTK::dot(d[k][0], A_J[0]) + SimTK::dot(d[k][1], A_J[1]);
+    for (size_t k = 0; k < m_equations.size(); ++k)
+        bias[k] =
+            placements.isDropped[k] ? 0 : bias[k] + SimTK::dot(d[k][0], A_J[0]) + SimTK::dot(d[k][1], A_J[1]);
     return bias;
 }
 
-MarkerPair PrimitiveImpl::findPair(const State& state) const {
+MarkerPair PairConstraintImpl::findPair(const State& state) const {
     const Placements& placements = getPlacements(state);
     return {m_I.calcPose(getBodyTransformFromState(state, m_I.body), placements.I, m_I.getEta(state)),
             m_J.calcPose(getBodyTransformFromState(state, m_J.body), placements.J, m_J.getEta(state))};
 }
 
 //------------------------------------------------------------------------- what Simbody asks for
-// A torque is the same about every point: a rotational row has no force and opposite moments.
-Real PrimitiveImpl::multiply(const PositionCache& cache, int equation,
-                             const Array_<SpatialVec, ConstrainedBodyIndex>& motions,
-                             const Array_<Real, ConstrainedQIndex>& coordinates) const {
-    const Row& row = cache.rows[equation];
+Real PairConstraintImpl::multiply(const PositionCache& cache, int equation,
+                                  const Array_<SpatialVec, ConstrainedBodyIndex>& motions,
+                                  const Array_<Real, ConstrainedQIndex>& coordinates) const {
+    const Row& row = cache.rows[size_t(equation)];
     const SpatialVec& motionI = motions[m_I.body];
     const SpatialVec& motionJ = motions[m_J.body];
-    Real sum = m_isTranslational ? SimTK::dot(row.momentI, motionI[0]) + SimTK::dot(row.momentJ, motionJ[0]) +
-                                       SimTK::dot(row.force, motionI[1] - motionJ[1])
-                                 : SimTK::dot(row.momentI, motionI[0] - motionJ[0]);
+    Real sum = SimTK::dot(row.momentI, motionI[0]) + SimTK::dot(row.momentJ, motionJ[0]) +
+               SimTK::dot(row.force, motionI[1] - motionJ[1]);
     const Real* modal = cache.modalRows.data() + equation * m_numCoordinates;
     for (int i = 0; i < m_numCoordinates; ++i) sum += modal[i] * coordinates[ConstrainedQIndex(i)];
     return sum;
 }
 
-void PrimitiveImpl::calcPositionErrors(const State& state,
-                                       const Array_<Transform, ConstrainedBodyIndex>& X_AB,
-                                       const Array_<Real, ConstrainedQIndex>& constrainedQ,
-                                       Array_<Real>& perr) const {
+void PairConstraintImpl::calcPositionErrors(const State& state,
+                                            const Array_<Transform, ConstrainedBodyIndex>& X_AB,
+                                            const Array_<Real, ConstrainedQIndex>& constrainedQ,
+                                            Array_<Real>& perr) const {
     const Placements& placements = getPlacements(state);
-    Errors e;
+    Errors e{};
     calcErrors(MarkerPair(m_I.calcPose(X_AB[m_I.body], placements.I, m_I.findEta(constrainedQ)),
                           m_J.calcPose(X_AB[m_J.body], placements.J, m_J.findEta(constrainedQ))),
                e);
-    for (int k = 0; k < m_numEquations; ++k) perr[k] = placements.isDropped[size_t(k)] ? 0 : e[k];
+    for (int k = 0; k < getNumEquations(); ++k) perr[k] = placements.isDropped[size_t(k)] ? 0 : e[size_t(k)];
 }
 
-void PrimitiveImpl::calcPositionDotErrors(const State& state,
-                                          const Array_<SpatialVec, ConstrainedBodyIndex>& V_AB,
-                                          const Array_<Real, ConstrainedQIndex>& constrainedQDot,
-                                          Array_<Real>& pverr) const {
+void PairConstraintImpl::calcPositionDotErrors(const State& state,
+                                               const Array_<SpatialVec, ConstrainedBodyIndex>& V_AB,
+                                               const Array_<Real, ConstrainedQIndex>& constrainedQDot,
+                                               Array_<Real>& pverr) const {
     const PositionCache& cache = getPositionCache(state);
-    for (int k = 0; k < m_numEquations; ++k) pverr[k] = multiply(cache, k, V_AB, constrainedQDot);
+    for (int k = 0; k < getNumEquations(); ++k) pverr[k] = multiply(cache, k, V_AB, constrainedQDot);
 }
 
-void PrimitiveImpl::calcPositionDotDotErrors(const State& state,
-                                             const Array_<SpatialVec, ConstrainedBodyIndex>& A_AB,
-                                             const Array_<Real, ConstrainedQIndex>& constrainedQDotDot,
-                                             Array_<Real>& paerr) const {
+void PairConstraintImpl::calcPositionDotDotErrors(const State& state,
+                                                  const Array_<SpatialVec, ConstrainedBodyIndex>& A_AB,
+                                                  const Array_<Real, ConstrainedQIndex>& constrainedQDotDot,
+                                                  Array_<Real>& paerr) const {
     const PositionCache& cache = getPositionCache(state);
     const Errors& bias = getBias(state);
-    for (int k = 0; k < m_numEquations; ++k)
-        paerr[k] = multiply(cache, k, A_AB, constrainedQDotDot) + bias[k];
+    for (int k = 0; k < getNumEquations(); ++k)
+        paerr[k] = multiply(cache, k, A_AB, constrainedQDotDot) + bias[size_t(k)];
 }
 
-void PrimitiveImpl::addInPositionConstraintForces(const State& state, const Array_<Real>& multipliers,
-                                                  Array_<SpatialVec, ConstrainedBodyIndex>& bodyForcesInA,
-                                                  Array_<Real, ConstrainedQIndex>& qForces) const {
-    const Real* lambda = multipliers.cbegin();
-    const auto isZero = [](Real value) { return value == 0; };
-    if (std::all_of(lambda, lambda + m_numEquations, isZero)) return;
-
+void PairConstraintImpl::addInPositionConstraintForces(
+    const State& state, const Array_<Real>& multipliers,
+    Array_<SpatialVec, ConstrainedBodyIndex>& bodyForcesInA, Array_<Real, ConstrainedQIndex>& qForces) const {
     const PositionCache& cache = getPositionCache(state);
     SpatialVec& onI = bodyForcesInA[m_I.body];
     SpatialVec& onJ = bodyForcesInA[m_J.body];
-    const Real* modal = cache.modalRows.data();
-    for (int k = 0; k < m_numEquations; ++k) {
-        const Row& row = cache.rows[k];
-        for (int i = 0; i < m_numCoordinates; ++i) qForces[ConstrainedQIndex(i)] += lambda[k] * *modal++;
-        onI[0] += lambda[k] * row.momentI;
-        onJ[0] += lambda[k] * row.momentJ;
-        if (!m_isTranslational) continue;
-        onI[1] += lambda[k] * row.force;
-        onJ[1] -= lambda[k] * row.force;
+    for (int k = 0; k < getNumEquations(); ++k) {
+        const Real lambda = multipliers[unsigned(k)];
+        if (lambda == 0) continue;
+        const Row& row = cache.rows[size_t(k)];
+        onI += lambda * SpatialVec(row.momentI, row.force);
+        onJ += lambda * SpatialVec(row.momentJ, -row.force);
+        const Real* modal = cache.modalRows.data() + k * m_numCoordinates;
+        for (int i = 0; i < m_numCoordinates; ++i) qForces[ConstrainedQIndex(i)] += lambda * modal[i];
     }
 }
 
 // Simbody's multipliers are minus the applied load.
-SpatialVec PrimitiveImpl::calcLoadOnI(const State& state, const MarkerPair& pair) const {
+SpatialVec PairConstraintImpl::calcLoadOnI(const State& state, const MarkerPair& pair) const {
     Array_<Real> lambda;
     getMultipliers(state, lambda);
     Directions d;
     calcDirections(pair, d);
     SpatialVec load(Vec3(0), Vec3(0));
     const Placements& placements = getPlacements(state);
-    for (int k = 0; k < m_numEquations; ++k)
-        if (!placements.isDropped[size_t(k)]) load -= lambda[k] * d[k];
+    for (int k = 0; k < getNumEquations(); ++k)
+        if (!placements.isDropped[size_t(k)]) load -= lambda[k] * d[size_t(k)];
     return load;
 }
 

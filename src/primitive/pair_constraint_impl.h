@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef JPRIM_SRC_PRIMITIVE_PRIMITIVE_IMPL_H_
-#define JPRIM_SRC_PRIMITIVE_PRIMITIVE_IMPL_H_
+#ifndef JPRIM_SRC_PRIMITIVE_PAIR_CONSTRAINT_IMPL_H_
+#define JPRIM_SRC_PRIMITIVE_PAIR_CONSTRAINT_IMPL_H_
 
 #include <array>
 #include <string>
@@ -9,32 +9,31 @@
 #include "jprim/marker/marker.h"
 #include "jprim/marker/marker_pair.h"
 #include "marker/constrained_marker.h"
+#include "primitive/pair_equations.h"
 
 namespace jprim {
 
-/// Everything about a primitive but its equations: markers, caching, and the three error levels Simbody
-/// asks for. A primitive has at most three equations; unused places are left alone.
+/// Everything about a primitive or a joint but its equations: markers, caching, and the three error levels Simbody
+/// asks for. The equations of all parts stand one after the other; unused places are left alone.
 ///
 /// The rows of the constraint Jacobian are computed once per position and their bias once per velocity:
 /// Simbody asks every constraint once for each multiplier of the whole system.
-class PrimitiveImpl : public SimTK::Constraint::Custom::Implementation {
+class PairConstraintImpl : public SimTK::Constraint::Custom::Implementation {
 public:
-    static constexpr int MaxEquations = 3;
-    using Errors = SimTK::Vec3;
+    static constexpr int MaxEquations = 2 * PairEquations::MaxEquations;
+    using Errors = std::array<SimTK::Real, MaxEquations>;
     using Directions = std::array<SimTK::SpatialVec, MaxEquations>;
+    using Parts = std::vector<const PairEquations*>;
 
-    /// @name The equations, on the motion [w, v] of I relative to J. All vectors are in J.
-    ///@{
-    /// e.
-    virtual void calcErrors(const MarkerPair& pair, Errors& e) const = 0;
-    /// d_k = [t, f] with de_k/dt = t.w + f.v; lambda_k d_k is also the load on I at I's origin.
-    virtual void calcDirections(const MarkerPair& pair, Directions& d) const = 0;
-    /// The part of d2e/dt2 that depends on velocity: d2e_k/dt2 = t.dw/dt + f.dv/dt + bias_k.
-    virtual void calcBias(const MarkerPair& pair, const SimTK::SpatialVec& V_J, Errors& bias) const = 0;
-    ///@}
+    PairConstraintImpl(const char* adamsType, const Parts& parts, const Marker& I, const Marker& J,
+                       const std::string& name);
+    Implementation* clone() const override { return new PairConstraintImpl(*this); }
 
-    /// True if equations are lengths and loads are forces, false if they are angles and torques.
-    bool isTranslational() const { return m_isTranslational; }
+    /// What the constraint is made of: one primitive's equations, or a translational primitive's and a
+    /// rotational one's.
+    const Parts& getParts() const { return m_parts; }
+    /// e at a position of the markers.
+    void calcErrors(const MarkerPair& pair, Errors& e) const;
 
     /// What a State can change: the markers' poses on what carries them, X_BM of a rigid marker and X_NM of a
     /// flexible one, and equations switched off.
@@ -45,9 +44,10 @@ public:
     };
 
     const char* getAdamsType() const { return m_adamsType; }
-    int getNumEquations() const { return m_numEquations; }
-    /// What equation k holds, in words.
-    const char* describeEquation(int k) const { return m_words.at(size_t(k)); }
+    int getNumEquations() const { return int(m_equations.size()); }
+    /// What equation k holds, in words, and whether it is a length.
+    const char* describeEquation(int k) const { return m_equations.at(size_t(k)).words; }
+    bool isTranslational(int k) const { return m_equations.at(size_t(k)).isTranslational; }
     /// The name if there is one, and the type: what messages call this element.
     std::string getDescription() const;
     Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose(), {}}; }
@@ -63,14 +63,11 @@ public:
     const std::string& getName() const { return m_name; }
     void setName(const std::string& name) { m_name = name; }
 
-protected:
-    enum class Kind { Translational, Rotational };
-    /// One entry of words for each equation.
-    using Words = std::vector<const char*>;
-    PrimitiveImpl(const char* adamsType, Kind kind, const Words& words, const Marker& I, const Marker& J,
-                  const std::string& name);
-
 private:
+    struct Equation {
+        const char* words;
+        bool isTranslational;
+    };
     /// One row of the constraint Jacobian, in A: the unit load on I's body as [momentI about its origin,
     /// force] and on J's as [momentJ, -force]. The row's modal part, if there is one, stands apart.
     struct Row {
@@ -113,14 +110,14 @@ private:
     SimTK::Real multiply(const PositionCache& cache, int equation,
                          const SimTK::Array_<SimTK::SpatialVec, SimTK::ConstrainedBodyIndex>& motions,
                          const SimTK::Array_<SimTK::Real, SimTK::ConstrainedQIndex>& coordinates) const;
+    void calcDirections(const MarkerPair& pair, Directions& d) const;
     MarkerPair findPair(const SimTK::State& state) const;
     ConstrainedMarker addMarker(const Marker& marker);
 
     std::string m_name;
     const char* m_adamsType;
-    bool m_isTranslational;
-    Words m_words;
-    int m_numEquations;
+    Parts m_parts;
+    std::vector<Equation> m_equations;  // of all parts
     Marker m_defaultI;
     Marker m_defaultJ;
     int m_numCoordinates = 0;  // modal coordinates of both markers
