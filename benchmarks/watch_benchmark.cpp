@@ -86,7 +86,8 @@ void compare(const char* name, const Mechanism& mechanism, double end) {
         measureWatch(mechanism, [&](const State& state) { calcViolation(equations, state); });
     volatile double sum = 0;
     const double energy = measureWatch(mechanism, [&](const State& state) {
-        sum = sum + mechanism.calcKineticEnergy(state) + mechanism.getSystem().calcPotentialEnergy(state);
+        sum = sum + mechanism.calcKineticEnergy(state) + mechanism.getSystem().calcPotentialEnergy(state) +
+              mechanism.calcEnergyBalance(state);
     });
     fmt::print("{:<34}{:>12.3f}{:>8.1f}{:>12.1f}{:>8.3f}{:>12.1f}{:>8.3f}{:>8.3f}\n", name,
                1e3 * step.seconds, step.internalSteps, 1e6 * errors, 100 * errors / step.seconds,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "build/mechanism_builder.h"
+#include "build/work_integral.h"
 
 namespace jprim {
 
@@ -16,6 +17,16 @@ void MechanismBuilder::addForces() {
     for (const VectorForceStatement& s : m_dataset.vectorForces) addVectorForce(s);
     for (const SpringdamperStatement& s : m_dataset.springdampers) addSpringdamper(s);
     for (const BushingStatement& s : m_dataset.bushings) addBushing(s);
+}
+
+void MechanismBuilder::addWorkIntegral() {
+    if (m_mechanism.isConservative()) return;
+    Mechanism::Bodies& bodies = *m_mechanism.m_bodies;
+    std::vector<SimTK::Constraint> constraints;
+    for (const Equation& equation : m_mechanism.m_equations) constraints.push_back(equation.constraint);
+    auto* work = new WorkIntegral(bodies.system, bodies.forces, constraints);
+    SimTK::Force::Custom(bodies.forces, work);  // takes it over
+    m_mechanism.m_work = work;
 }
 
 // A floating marker is where I is, wherever its part has it: nothing levers about it.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "build/work_integral.h"
 #include "jprim/base/error.h"
 #include "jprim/marker/load.h"
 
@@ -37,6 +38,7 @@ State Mechanism::makeGivenState() const {
     getSystem().realizeModel(state);
     for (const MechanismPart& part : m_parts)
         if (!part.ground) part.body.setQToFitTransform(state, calcGivenMobilizerPose(state, part));
+    if (m_work) m_work->setWeight(state);
     return state;
 }
 
@@ -45,6 +47,11 @@ Real Mechanism::calcKineticEnergy(const State& state) const {
     for (const MechanismPart& part : m_parts)
         if (part.flexible) sum += part.flexible->calcCouplingEnergy(state);
     return sum;
+}
+
+Real Mechanism::calcEnergyBalance(const State& state) const {
+    if (m_work) return getSystem().calcKineticEnergy(state) - m_work->getWork(state);
+    return calcKineticEnergy(state) + getSystem().calcPotentialEnergy(state);
 }
 
 const Marker& Mechanism::getMarker(int id) const {

@@ -49,6 +49,7 @@ public:
         addConnections();
         addEquations();
         addForces();
+        addWorkIntegral();
         checkVariables();
         addRequests();
         addSensors();
@@ -117,6 +118,7 @@ private:
     void checkVariables();
     void addLoadElement(const LoadElement& element);
     ExpressionMeasure makeMeasure(const ExpressionText& function);
+    void addWorkIntegral();
     void addRequests();
     void addSensors();
 

@@ -31,7 +31,12 @@ void EnergyWatch::observe(const State& state) {
     constexpr Real HardlyChanging = 1e-3;
     const Real kinetic = m_mechanism.calcKineticEnergy(state);
     const Real energy = kinetic + m_mechanism.getSystem().calcPotentialEnergy(state);
-    if (!m_isStarted) start(state, kinetic, energy);
+    if (!m_isStarted) {
+        m_isStarted = true;
+        m_summary.energyAtStart = energy;
+        m_leastKinetic = m_mostKinetic = kinetic;
+        m_smallestScale = calcSmallestScale(m_mechanism, state);
+    }
     m_leastKinetic = std::min(m_leastKinetic, kinetic);
     m_mostKinetic = std::max(m_mostKinetic, kinetic);
     m_summary.energyScale =
@@ -39,27 +44,22 @@ void EnergyWatch::observe(const State& state) {
     m_summary.energyAtEnd = energy;
     m_summary.largestEnergyChange =
         std::max(m_summary.largestEnergyChange, std::abs(energy - m_summary.energyAtStart));
-    if (isJump(energy) && isNearSingular(m_mechanism, state))
-        throw std::runtime_error(fmt::format(
-            "the energy of this conservative mechanism has changed by {:.2g} of its kinetic energy within a step near "
-            "a singular position: its motion through that is lost",
-            std::abs(energy - m_lastEnergy) / m_lastKinetic));
-    m_lastKinetic = kinetic;
-    m_lastEnergy = energy;
 }
 
-void EnergyWatch::start(const State& state, Real kinetic, Real energy) {
-    m_isStarted = true;
-    m_summary.energyAtStart = m_lastEnergy = energy;
-    m_leastKinetic = m_mostKinetic = m_lastKinetic = kinetic;
-    m_smallestScale = calcSmallestScale(m_mechanism, state);
-}
-
-bool EnergyWatch::isJump(Real energy) const {
+void EnergyWatch::checkBalance(const State& state) {
     constexpr Real OfRange = 1e-2, OfKinetic = 0.1;
-    return std::abs(energy - m_lastEnergy) >
-               std::max(OfRange * m_summary.energyScale, OfKinetic * m_lastKinetic) &&
-           m_mechanism.isConservative();
+    const Real balance = m_mechanism.calcEnergyBalance(state);
+    if (!m_balanceAtStart) m_balanceAtStart = m_lastBalance = balance;
+    const Real jump = std::abs(balance - m_lastBalance);
+    const Real tolerable = std::max(OfRange * m_summary.energyScale, OfKinetic * m_lastKinetic);
+    m_summary.largestImbalance = std::max(m_summary.largestImbalance, std::abs(balance - *m_balanceAtStart));
+    if (jump > tolerable && isNearSingular(m_mechanism, state))
+        throw std::runtime_error(fmt::format(
+            "{:.2g} of the kinetic energy has come from nowhere or is lost within a step near a singular position, and with "
+            "it the motion through that",
+            jump / m_lastKinetic));
+    m_lastBalance = balance;
+    m_lastKinetic = m_mechanism.calcKineticEnergy(state);
 }
 
 }  // namespace jprim

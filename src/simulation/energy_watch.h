@@ -2,6 +2,8 @@
 #ifndef JPRIM_SRC_SIMULATION_ENERGY_WATCH_H_
 #define JPRIM_SRC_SIMULATION_ENERGY_WATCH_H_
 
+#include <optional>
+
 #include "jprim/build/mechanism.h"
 #include "jprim/simulation/simulate.h"
 
@@ -15,18 +17,19 @@ public:
         : m_mechanism(mechanism), m_summary(summary) {}
 
     /// Requires Stage::Velocity.
-    /// @throws std::runtime_error if a conservative mechanism has gained or lost energy since the last call, and has
-    ///         done so near a singular position: it has been thrown off its motion
     void observe(const SimTK::State& state);
 
-private:
-    void start(const SimTK::State& state, SimTK::Real kinetic, SimTK::Real energy);
-    bool isJump(SimTK::Real energy) const;
+    /// Of integrated motions, after observe().
+    /// @throws std::runtime_error if the balance has changed since the last call, and has done so near a singular
+    ///         position: the mechanism has been thrown off its motion
+    void checkBalance(const SimTK::State& state);
 
+private:
     const Mechanism& m_mechanism;
     SimulationSummary& m_summary;
     bool m_isStarted = false;
-    SimTK::Real m_lastKinetic = 0, m_lastEnergy = 0;
+    std::optional<SimTK::Real> m_balanceAtStart;
+    SimTK::Real m_lastBalance = 0, m_lastKinetic = 0;
     SimTK::Real m_leastKinetic = 0, m_mostKinetic = 0;
     SimTK::Real m_smallestScale = 0;
 };

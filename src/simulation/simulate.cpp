@@ -132,17 +132,19 @@ private:
         m_outcome.summary.isHalted = m_firing->halt;
     }
 
-    // Between output times, at which record() does; statics and kinematics do not keep it.
+    // Statics and kinematics keep no balance.
     void watchEnergy() {
-        if (m_options.kind == SimulationKind::Statics || m_outcome.summary.isKinematic) return;
-        m_mechanism.getSystem().realize(m_stepper->getState(), Stage::Acceleration);
-        m_energy.observe(m_stepper->getState());
+        const State& state = m_stepper->getState();
+        m_mechanism.getSystem().realize(state, Stage::Velocity);
+        m_energy.observe(state);
+        const bool isIntegrated = m_options.kind != SimulationKind::Statics && !m_outcome.summary.isKinematic;
+        if (isIntegrated) m_energy.checkBalance(state);
     }
 
     void record() {
         const State& state = m_stepper->getState();
         m_mechanism.getSystem().realize(state, Stage::Acceleration);
-        m_energy.observe(state);
+        watchEnergy();
         const Violation violation = calcViolation(m_equations, state);
         checkPositions(state, violation);
         checkAccelerations(m_mechanism, state);

@@ -28,7 +28,11 @@ void printSummary(const Model& model, const SimulationSummary& s) {
                s.energyAtStart / energy, s.largestEnergyChange / energy);
     if (s.energyScale > 0)
         fmt::print(" ({:.2g} of the kinetic energy's range)", s.largestEnergyChange / s.energyScale);
-    fmt::print("\n{:<25}{}\n", s.isKinematic ? "kinematic steps" : "integration steps", s.stepsTaken);
+    fmt::print("\n");
+    if (!model.mechanism->isConservative() && s.largestImbalance > 0)
+        fmt::print("energy balance           off by at most {:.3g} ({:.2g} of the kinetic energy's range)\n",
+                   s.largestImbalance / energy, s.largestImbalance / s.energyScale);
+    fmt::print("{:<25}{}\n", s.isKinematic ? "kinematic steps" : "integration steps", s.stepsTaken);
     if (!s.endedBy.empty()) fmt::print("ended by                 {}\n", s.endedBy);
     fmt::print("wall time                {:.3f} s\n", s.wallSeconds);
 }
@@ -44,16 +48,17 @@ std::optional<int> chooseSteps(const RunArguments& arguments) {
     return int(steps);
 }
 
-// Without damping a changed energy is an error of the integration.
+// Energy that nothing explains is an error of the integration.
 void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism,
                        const SimulationSummary& summary) {
     constexpr double Tolerable = 1e-3;
-    if (!mechanism.isConservative()) return;
-    if (summary.largestEnergyChange <= Tolerable * summary.energyScale) return;
+    if (summary.largestImbalance <= Tolerable * summary.energyScale) return;
     const std::string message = fmt::format(
-        "the energy of this conservative mechanism changed by {:.2g} of the range of its kinetic energy; "
-        "do not trust the results, and try a smaller --accuracy",
-        summary.largestEnergyChange / summary.energyScale);
+        "{} by {:.2g} of the range of its kinetic energy; do not trust the results, and try a smaller --accuracy",
+        mechanism.isConservative()
+            ? "the energy of this conservative mechanism changed"
+            : "the energy of this mechanism is not what the work of all loads makes it: it is off",
+        summary.largestImbalance / summary.energyScale);
     fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
 }
 

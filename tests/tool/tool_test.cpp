@@ -78,6 +78,25 @@ TEST_F(Tool, WarnsOfEnergyErrors) {
     EXPECT_EQ(run("run " + write("f.adm", still) + " --end 10 --quiet").err, "");
 }
 
+// With a brake, what the kinetic energy is held against is the work of all loads.
+TEST_F(Tool, WarnsWhereEnergyComesFromNowhere) {
+    std::string braked = Pendulum;
+    braked.insert(braked.find("JOINT/1"), "SFORCE/1,ROTATION,I=21,J=10,FUNCTION=-10*WZ(21,10,10)\n");
+    const std::string model = write("b.adm", braked);
+    const Outcome fine = run("run " + model + " --end 10");
+    EXPECT_EQ(fine.err, "");
+    EXPECT_NE(fine.out.find("\nenergy balance           off by at most "), std::string::npos) << fine.out;
+    const Outcome coarse = run("run " + model + " --end 10 --steps 5 --accuracy 0.05 --quiet");
+    EXPECT_EQ(coarse.exitCode, 0);
+    EXPECT_EQ(coarse.err.find(
+                  model + ": warning: the energy of this mechanism is not what the work of all loads makes "
+                          "it: it is off by "),
+              0u)
+        << coarse.err;
+    EXPECT_EQ(run("run " + write("p.adm", Pendulum) + " --end 1").out.find("energy balance"),
+              std::string::npos);
+}
+
 TEST_F(Tool, ProgressBarOnATerminalOnly) {
     const std::string model = write("p.adm", Pendulum);
     EXPECT_NE(runOnTerminal({"run", model, "--end", "1"}).find("[##########"), std::string::npos);

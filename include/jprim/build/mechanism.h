@@ -64,6 +64,8 @@ struct MechanismPart {
     SimTK::Transform calcGivenBodyPose() const { return givenPose * ~bcs.getPose(); }
 };
 
+class WorkIntegral;
+
 /// A JPRIM or JOINT.
 struct Connection {
     std::string name;  ///< "JPRIM/12"
@@ -71,7 +73,7 @@ struct Connection {
     int i = 0;         ///< marker ids
     int j = 0;
     bool inTree = false;  ///< a mobilizer is in its place
-    /// Its constraints, for a JPRIM a bundle of one. Empty if it is in the tree; in a loop that the tree keeps in a
+    /// Its constraint. Empty if it is in the tree; in a loop that the tree keeps in a
     /// plane only what is not redundant: an INLINE of a hinge or ball, nothing of PARALLEL_AXES, INPLANE or PLANAR.
     std::optional<Joint> joint;
 };
@@ -163,6 +165,9 @@ public:
     bool isConservative() const;
     /// Kinetic energy: Simbody's, and what the deformation of flexible bodies adds. Requires Stage::Velocity.
     SimTK::Real calcKineticEnergy(const SimTK::State& state) const;
+    /// What stays the same along a motion: kinetic and potential energy of a conservative mechanism; of any other,
+    /// kinetic energy less the work of all loads, which integrators integrate along. Requires Stage::Velocity.
+    SimTK::Real calcEnergyBalance(const SimTK::State& state) const;
 
     /// The marker with this id; 0 is ground's own frame. @throws Error if there is none
     const Marker& getMarker(int id) const;
@@ -211,7 +216,8 @@ private:
     std::vector<InitialCoordinate> m_initialCoordinates;
     std::vector<MechanismRequest> m_requests;
     std::vector<MechanismSensor> m_sensors;
-    bool m_hasPower = false;  // an element may change the energy
+    bool m_hasPower = false;               // an element may change the energy
+    const WorkIntegral* m_work = nullptr;  // owned by the system; null if the mechanism is conservative
 };
 
 }  // namespace jprim

@@ -51,7 +51,9 @@ struct SimulationSummary {
     double energyAtStart = 0;
     double energyAtEnd = 0;
     double largestEnergyChange = 0;  ///< over all steps, from the start
-    /// What the change is held against: largest less smallest kinetic energy; 1e-3 of the largest if it hardly
+    /// Over all integrated steps, of Mechanism::calcEnergyBalance(): energy that has come from nowhere or is lost.
+    double largestImbalance = 0;
+    /// What changes are held against: largest less smallest kinetic energy; 1e-3 of the largest if it hardly
     /// changes, and where hardly anything moves 1e-9 of the work of the parts' weights over their sizes.
     double energyScale = 0;
     bool isKinematic = false;  ///< nothing was integrated: positions followed from the constraints
