@@ -81,7 +81,10 @@ void MechanismBuilder::addGcon(const GconStatement& s) {
             write(FunctionUse::Equation, [&s](FunctionWriter& w) { return w.scalar(s.function); });
         const GeneralConstraint constraint(f, name);
         addEquation(name, constraint, f);
-        m_mechanism.m_hasPower = m_mechanism.m_hasPower || doesWork(f.getImplementation());
+        if (doesWork(f.getImplementation())) {
+            m_mechanism.m_hasPower = true;
+            m_working.push_back(constraint);
+        }
         const auto on = [&constraint](int marker) -> LoadFunction {
             return
                 [constraint, marker](const State& state) { return constraint.calcReactionOn(state, marker); };
@@ -133,6 +136,7 @@ void MechanismBuilder::addMotion(const MotionStatement& s) {
         const Motion motion(I, J, coordinate, function, derivative, name);
         m_mechanism.m_equations.push_back({name, motion, isLength(coordinate)});
         m_mechanism.m_hasPower = true;
+        m_working.push_back(motion);
         addLoadElement({name, i, j, [motion](const State& state) { return motion.calcReactionOnI(state); },
                         [motion](const State& state) { return motion.calcReactionOnJ(state); }, true});
         addInitialCoordinate(name, i, j, coordinate, s.icdisp, s.icvel);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "build/mechanism_builder.h"
+#include "build/power.h"
 #include "build/work_integral.h"
 
 namespace jprim {
@@ -19,12 +20,16 @@ void MechanismBuilder::addForces() {
     for (const BushingStatement& s : m_dataset.bushings) addBushing(s);
 }
 
+// The system holds the power, and the power a reference to the system, which stays where it is if the mechanism moves.
 void MechanismBuilder::addWorkIntegral() {
     if (m_mechanism.isConservative()) return;
     Mechanism::Bodies& bodies = *m_mechanism.m_bodies;
-    std::vector<SimTK::Constraint> constraints;
-    for (const Equation& equation : m_mechanism.m_equations) constraints.push_back(equation.constraint);
-    auto* work = new WorkIntegral(bodies.system, bodies.forces, constraints);
+    Loads loads{m_mechanism.m_gravity, m_mechanism.m_forces, {}, m_working};
+    for (const MechanismPart& part : m_mechanism.m_parts)
+        if (part.flexible) loads.flexibleBodies.push_back(*part.flexible);
+    auto* work = new WorkIntegral(bodies.forces, [&system = bodies.system, loads](const State& state) {
+        return calcPowerWithoutPotential(system, loads, state);
+    });
     SimTK::Force::Custom(bodies.forces, work);  // takes it over
     m_mechanism.m_work = work;
 }

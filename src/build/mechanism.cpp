@@ -38,7 +38,6 @@ State Mechanism::makeGivenState() const {
     getSystem().realizeModel(state);
     for (const MechanismPart& part : m_parts)
         if (!part.ground) part.body.setQToFitTransform(state, calcGivenMobilizerPose(state, part));
-    if (m_work) m_work->setWeight(state);
     return state;
 }
 
@@ -50,8 +49,9 @@ Real Mechanism::calcKineticEnergy(const State& state) const {
 }
 
 Real Mechanism::calcEnergyBalance(const State& state) const {
-    if (m_work) return getSystem().calcKineticEnergy(state) - m_work->getWork(state);
-    return calcKineticEnergy(state) + getSystem().calcPotentialEnergy(state);
+    const Real potential = getSystem().calcPotentialEnergy(state);
+    if (!m_work) return calcKineticEnergy(state) + potential;
+    return getSystem().calcKineticEnergy(state) + potential - m_work->getWork(state);
 }
 
 const Marker& Mechanism::getMarker(int id) const {

@@ -165,6 +165,7 @@ private:
     std::unordered_map<int, int> m_ownerOfMarker;
     std::unordered_map<int, std::vector<int>> m_markersOfOwner;
     std::unordered_map<int, const JointStatement*> m_joints;
+    std::vector<SimTK::Constraint> m_working;  // those that may change the energy
     std::unordered_map<std::string, TreePlace> m_inTree;
     SimTK::Real m_lightestMass = 1;
     FunctionContext m_functions;

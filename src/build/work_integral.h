@@ -2,39 +2,41 @@
 #ifndef JPRIM_SRC_BUILD_WORK_INTEGRAL_H_
 #define JPRIM_SRC_BUILD_WORK_INTEGRAL_H_
 
-#include <vector>
+#include <functional>
 
 #include "SimTKsimbody.h"
 
 namespace jprim {
 
-/// The work of all applied loads, and of constraints that move with time, integrated along with a motion: whatever drives
-/// or brakes a system, its kinetic energy changes by this. A force element that puts no load on anything, with one
-/// state variable.
+/// Integrates a power along with the motion: a force element that puts no load on anything, with one state variable.
+/// That is so small that no integrator's estimate of errors is changed by it; a few of CPodes' take it into the
+/// number over which they average.
 class WorkIntegral : public SimTK::Force::Custom::Implementation {
 public:
-    /// @param constraints  those that may do work
-    WorkIntegral(const SimTK::MultibodySystem& system, const SimTK::GeneralForceSubsystem& forces,
-                 std::vector<SimTK::Constraint> constraints)
-        : m_system(system), m_forces(forces), m_constraints(std::move(constraints)) {}
+    using Power = std::function<SimTK::Real(const SimTK::State&)>;
 
-    /// Keeps the work out of integrators' error control. Requires Stage::Model.
-    void setWeight(SimTK::State& state) const;
+    /// @param power  may require the stage in which accelerations and multipliers are known
+    WorkIntegral(const SimTK::GeneralForceSubsystem& forces, const Power& power)
+        : m_forces(forces), m_power(power) {}
+
     /// Since the State was made. Requires Stage::Model.
-    SimTK::Real getWork(const SimTK::State& state) const { return m_forces.getZ(state)[m_z]; }
+    SimTK::Real getWork(const SimTK::State& state) const { return m_forces.getZ(state)[m_z] / Small; }
 
     void calcForce(const SimTK::State&, SimTK::Vector_<SimTK::SpatialVec>&, SimTK::Vector_<SimTK::Vec3>&,
                    SimTK::Vector&) const override {}
     SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }
-    void realizeTopology(SimTK::State& state) const override;
-    void realizeAcceleration(const SimTK::State& state) const override;
+    void realizeTopology(SimTK::State& state) const override {
+        m_z = m_forces.allocateZ(state, SimTK::Vector(1, SimTK::Real(0)));
+    }
+    void realizeAcceleration(const SimTK::State& state) const override {
+        m_forces.updZDot(state)[m_z] = Small * m_power(state);
+    }
 
 private:
-    SimTK::Real calcPower(const SimTK::State& state) const;
+    static constexpr SimTK::Real Small = 0x1p-200;  // a power of 2 costs no digit
 
-    const SimTK::MultibodySystem& m_system;
     const SimTK::GeneralForceSubsystem& m_forces;
-    std::vector<SimTK::Constraint> m_constraints;
+    Power m_power;
     mutable SimTK::ZIndex m_z;  // topology cache
 };
 

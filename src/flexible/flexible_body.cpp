@@ -203,6 +203,13 @@ Real FlexibleBody::calcElasticEnergy(const State& state) const {
     return sum;
 }
 
+Real FlexibleBody::calcElasticEnergyRate(const State& state) const {
+    const Vector q = getModalCoordinates(state), qdot = getModalVelocities(state);
+    Real sum = 0;
+    for (int k = 0; k < q.size(); ++k) sum += SimTK::square(m_data->basis.frequencies[k]) * q[k] * qdot[k];
+    return sum;
+}
+
 Real FlexibleBody::calcCouplingEnergy(const State& state) const {
     if (m_data->coupling == InertiaCoupling::Constant) return 0;
     const Vec3 w = ~m_body.getBodyRotation(state) * m_body.getBodyAngularVelocity(state);

@@ -32,4 +32,8 @@ SpatialVec MarkerForce::calcLoadOnJ(const State& state) const {
     return isDisabled(state) ? SpatialVec(Vec3(0), Vec3(0)) : getImpl().calcLoadOnJ(state);
 }
 
+SimTK::Real MarkerForce::calcPotentialRate(const State& state) const {
+    return isDisabled(state) ? 0 : getImpl().calcPotentialRate(state);
+}
+
 }  // namespace jprim

@@ -81,6 +81,10 @@ void MarkerForceImpl::calcForce(const State& state, SimTK::Vector_<SpatialVec>& 
     if (m_J) m_J->applyLoad(state, calcOpposite(state, onI, m_I, *m_J), bodyForces, mobilityForces);
 }
 
+Real MarkerForceImpl::calcPotentialRate(const State& state) const {
+    return m_potential ? m_potential->calcRate(state) : 0;
+}
+
 Real MarkerForceImpl::calcPotentialEnergy(const State& state) const {
     return m_potential ? m_potential->calcValue(state) : 0;
 }

@@ -20,6 +20,7 @@ public:
     const std::string& getName() const { return m_name; }
     SimTK::SpatialVec calcLoadOnI(const SimTK::State& state) const;
     SimTK::SpatialVec calcLoadOnJ(const SimTK::State& state) const;
+    SimTK::Real calcPotentialRate(const SimTK::State& state) const;
 
 private:
     void realizeTopology(SimTK::State& state) const override;

@@ -13,16 +13,20 @@ using SimTK::State;
 
 Joint::Joint(const char* adamsType, const Parts& parts, const Marker& I, const Marker& J,
              const std::string& name)
-    : m_adamsType(adamsType), m_name(name), m_constraint(PairConstraint(adamsType, parts, I, J, name)) {}
+    : m_adamsType(adamsType), m_constraint(PairConstraint(adamsType, parts, I, J, name)) {}
 
 Joint::Joint(const char* adamsType, const GeneralConstraint& constraint)
-    : m_adamsType(adamsType), m_name(constraint.getName()), m_constraint(constraint) {}
+    : m_adamsType(adamsType), m_constraint(constraint) {}
 
-Joint::Joint(const Primitive& primitive)
-    : m_adamsType(primitive.getAdamsType()), m_name(primitive.getName()), m_constraint(primitive) {}
+Joint::Joint(const Primitive& primitive) : m_adamsType(primitive.getAdamsType()), m_constraint(primitive) {}
+
+const std::string& Joint::getName() const {
+    return std::visit([](const auto& constraint) -> const std::string& { return constraint.getName(); },
+                      m_constraint);
+}
 
 std::string Joint::getDescription() const {
-    return m_name.empty() ? m_adamsType : m_name + " " + m_adamsType;
+    return getName().empty() ? m_adamsType : getName() + " " + m_adamsType;
 }
 
 Joint Joint::Spherical(const Marker& I, const Marker& J, const std::string& name) {

@@ -66,7 +66,8 @@ void Marker::applyLoad(const State& state, const SpatialVec& load_G, SimTK::Vect
     bodyForces[m_body.getMobilizedBodyIndex()] += SimTK::shiftForceBy(load_G, -s);
     if (!m_node) return;
     const ModalCoordinates& c = m_node->getCoordinates();
-    addModalLoads(*m_node, m_X, c.getEta(state), ~X_GB.R() * load_G, &mobilityForces[c.getFirstUIndex(state)]);
+    addModalLoads(*m_node, m_X, c.getEta(state), ~X_GB.R() * load_G,
+                  &mobilityForces[c.getFirstUIndex(state)]);
 }
 
 }  // namespace jprim

@@ -38,6 +38,15 @@ Vec3 TrackedExpression::calcVector(const State& state) const {
     return value;
 }
 
+Real TrackedExpression::calcRate(const State& state) const {
+    Evaluation& evaluation = prepare(state, InputLevel::Acceleration);
+    const std::vector<MarkerMotion> motions = get().findMotions(state, InputLevel::Velocity);
+    get().setInputs(state.getTime(), motions.data(), evaluation);
+    const Real rate = evaluation.calcTaylor().first;
+    m_angles.remember(state, evaluation);
+    return rate;
+}
+
 void TrackedExpression::followAngles(const State& state) const {
     if (get().program.getNumAngles() == 0) return;
     Evaluation& evaluation = prepare(state, InputLevel::Position);

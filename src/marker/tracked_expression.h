@@ -22,6 +22,9 @@ public:
     SimTK::Real calcValue(const SimTK::State& state) const;
     SimTK::Vec3 calcVector(const SimTK::State& state) const;
 
+    /// The time derivative of a scalar of positions along the motion. Requires Stage::Velocity.
+    SimTK::Real calcRate(const SimTK::State& state) const;
+
     /// Notes the angles, which depend on positions alone; for an owner that asks for no values while time goes
     /// on. Requires Stage::Position.
     void followAngles(const SimTK::State& state) const;

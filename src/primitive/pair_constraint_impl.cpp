@@ -38,7 +38,7 @@ SimbodyMatterSubsystem& findMatter(const Marker& I, const Marker& J, const std::
     if (&matter.getSystem() != &J.getBody().getMatterSubsystem().getSystem())
         throw Error(element, "markers I and J belong to different systems; put both bodies into one");
     if (I.getBody().getMobilizedBodyIndex() == J.getBody().getMobilizedBodyIndex())
-        throw Error(element, fmt::format("markers I and J are both on body {}; a primitive acts between two "
+        throw Error(element, fmt::format("markers I and J are both on body {}; it acts between two "
                                          "different bodies",
                                          int(I.getBody().getMobilizedBodyIndex())));
     return const_cast<SimbodyMatterSubsystem&>(matter);  // adding a constraint is what the caller asked for

@@ -13,6 +13,21 @@ Primitive::Primitive(const char* adamsType, const PairEquations& equations, cons
                      const std::string& name)
     : PairConstraint(adamsType, {&equations}, I, J, name) {}
 
+Primitive& Primitive::setName(const std::string& name) {
+    PairConstraint::setName(name);
+    return *this;
+}
+
+Primitive& Primitive::setDefaultMarkerI(const SimTK::Transform& X) {
+    PairConstraint::setDefaultMarkerI(X);
+    return *this;
+}
+
+Primitive& Primitive::setDefaultMarkerJ(const SimTK::Transform& X) {
+    PairConstraint::setDefaultMarkerJ(X);
+    return *this;
+}
+
 Real Primitive::JPRIM(const State& state, int jflag, int comp) const {
     return getReactionComponent(calcReactionOnI(state), calcReactionOnJ(state), jflag, comp,
                                 getDescription());

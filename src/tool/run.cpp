@@ -24,14 +24,16 @@ void printSummary(const Model& model, const SimulationSummary& s) {
     fmt::print("worst constraint error   {:.3g} {}, {:.3g} rad{}\n", s.worstViolation.length / units.length,
                getLengthName(model.dataset), s.worstViolation.angle,
                s.worstViolation.element.empty() ? "" : fmt::format(" (at {})", s.worstViolation.element));
-    fmt::print("energy                   {:.9g} at the start, changed by at most {:.3g}",
-               s.energyAtStart / energy, s.largestEnergyChange / energy);
-    if (s.energyScale > 0)
-        fmt::print(" ({:.2g} of the kinetic energy's range)", s.largestEnergyChange / s.energyScale);
-    fmt::print("\n");
+    const auto ofRange = [&s](double change) {
+        return s.energyScale > 0
+                   ? fmt::format(" ({:.2g} of the kinetic energy's range)", change / s.energyScale)
+                   : "";
+    };
+    fmt::print("energy                   {:.9g} at the start, changed by at most {:.3g}{}\n",
+               s.energyAtStart / energy, s.largestEnergyChange / energy, ofRange(s.largestEnergyChange));
     if (!model.mechanism->isConservative() && s.largestImbalance > 0)
-        fmt::print("energy balance           off by at most {:.3g} ({:.2g} of the kinetic energy's range)\n",
-                   s.largestImbalance / energy, s.largestImbalance / s.energyScale);
+        fmt::print("energy balance           off by at most {:.3g}{}\n", s.largestImbalance / energy,
+                   ofRange(s.largestImbalance));
     fmt::print("{:<25}{}\n", s.isKinematic ? "kinematic steps" : "integration steps", s.stepsTaken);
     if (!s.endedBy.empty()) fmt::print("ended by                 {}\n", s.endedBy);
     fmt::print("wall time                {:.3f} s\n", s.wallSeconds);
@@ -51,13 +53,12 @@ std::optional<int> chooseSteps(const RunArguments& arguments) {
 // Energy that nothing explains is an error of the integration.
 void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism,
                        const SimulationSummary& summary) {
-    constexpr double Tolerable = 1e-3;
-    if (summary.largestImbalance <= Tolerable * summary.energyScale) return;
+    if (summary.largestImbalance <= summary.tolerableImbalance) return;
     const std::string message = fmt::format(
         "{} by {:.2g} of the range of its kinetic energy; do not trust the results, and try a smaller --accuracy",
         mechanism.isConservative()
             ? "the energy of this conservative mechanism changed"
-            : "the energy of this mechanism is not what the work of all loads makes it: it is off",
+            : "the energy of this mechanism is not what the work of its loads makes it: it is off",
         summary.largestImbalance / summary.energyScale);
     fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
 }

@@ -174,7 +174,7 @@ TEST(JointMutant, WrongBarsAreNoticed) {
     EXPECT_GT(std::abs(wrong.getPairConstraint()->calcEquationError(m.state, 3)), 0.1);
 }
 
-TEST(Joint, DisablesAllItsPrimitives) {
+TEST(Joint, DisablesAllItsEquations) {
     Model m;
     m.body = MobilizedBody::Free(m.base, m.rigid);
     const Joint joint = Joint::Fixed(Marker(m.body), Marker(m.base), "JOINT/1");

@@ -218,7 +218,7 @@ TEST(PrimitiveErrors, NameTheElementAndTheRemedy) {
                 "JPRIM/7 INLINE: marker J is not on a body; construct it with a MobilizedBody that has been "
                 "added to a matter subsystem");
     expectError([&] { AtPoint(model.I, Marker(model.first), "JPRIM/8"); },
-                "JPRIM/8 ATPOINT: markers I and J are both on body 2; a primitive acts between two different "
+                "JPRIM/8 ATPOINT: markers I and J are both on body 2; it acts between two different "
                 "bodies");
     expectError([&] { Perpendicular(model.I, elsewhere.J); },
                 "PERPENDICULAR: markers I and J belong to different systems; put both bodies into one");

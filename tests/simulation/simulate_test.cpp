@@ -218,6 +218,30 @@ TEST(Simulate, RefusesImpossibleOptions) {
                       "SemiExplicitEuler2, CPodes");
 }
 
+// Nothing accelerates, so that rounding errors are all there is.
+TEST(Simulate, AStructureCarriesALoadInDynamics) {
+    const Mechanism mechanism = buildOrFail(
+        "t\nPART/1,GROUND\nMARKER/10\nMARKER/11,QP=3,0,0\nMARKER/12,QP=2,-1,0\nPART/2,MASS=1,CM=20,IP=1,1,1\n"
+        "MARKER/20,QP=0.7,0.5,0.1\nMARKER/21\nMARKER/22,QP=1,1,0\n"
+        "PART/3,MASS=2,CM=30,IP=1,1,1,QG=1,1,0\nMARKER/30,QP=0.9,-0.4,0\nMARKER/31\nMARKER/32,QP=2,-1,0\n"
+        "JOINT/1,REVOLUTE,I=21,J=10\nJOINT/2,REVOLUTE,I=31,J=22\nJOINT/3,REVOLUTE,I=32,J=11\n"
+        "SFORCE/1,TRANSLATION,I=30,J=12,FUNCTION=777.7\nREQUEST/1,FORCE,I=32,J=11\n"
+        "REQUEST/2,FORCE,I=21,J=10\nREQUEST/3,FORCE,I=30,J=12\nEND\n");
+    SimulationOptions options;
+    options.end = 1;
+    options.steps = 2;
+    options.kind = SimulationKind::Dynamics;
+    const SimulationOutcome outcome = simulate(mechanism, assemble(mechanism), options);
+    ASSERT_EQ(outcome.failure, "");
+    for (const char* axis : {"FX", "FY"}) {
+        const auto at = [&](const char* request) {
+            return outcome.results.requests.getColumn(std::string(request) + axis).back();
+        };
+        EXPECT_NEAR(at("R1.") + at("R2.") + at("R3."), 0, 1e-9) << axis;
+        EXPECT_GT(std::abs(at("R3.")), 1) << axis;
+    }
+}
+
 TEST(Simulate, AMechanismWithoutMovingPartsRuns) {
     const Mechanism mechanism = buildOrFail("t\nPART/1,GROUND\nEND\n");
     EXPECT_EQ(testing::run(mechanism, 1, 2, 1e-6).results.parts.getNumRows(), 3u);

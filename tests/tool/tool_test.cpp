@@ -78,7 +78,7 @@ TEST_F(Tool, WarnsOfEnergyErrors) {
     EXPECT_EQ(run("run " + write("f.adm", still) + " --end 10 --quiet").err, "");
 }
 
-// With a brake, what the kinetic energy is held against is the work of all loads.
+// With a brake, what the energy is held against is the work of loads.
 TEST_F(Tool, WarnsWhereEnergyComesFromNowhere) {
     std::string braked = Pendulum;
     braked.insert(braked.find("JOINT/1"), "SFORCE/1,ROTATION,I=21,J=10,FUNCTION=-10*WZ(21,10,10)\n");
@@ -89,7 +89,7 @@ TEST_F(Tool, WarnsWhereEnergyComesFromNowhere) {
     const Outcome coarse = run("run " + model + " --end 10 --steps 5 --accuracy 0.05 --quiet");
     EXPECT_EQ(coarse.exitCode, 0);
     EXPECT_EQ(coarse.err.find(
-                  model + ": warning: the energy of this mechanism is not what the work of all loads makes "
+                  model + ": warning: the energy of this mechanism is not what the work of its loads makes "
                           "it: it is off by "),
               0u)
         << coarse.err;

@@ -21,7 +21,7 @@ struct BuildOptions {
 
 /// Makes a Simbody system of a dataset. Parts hang on each other by mobilizers that stand for their JOINTs and
 /// JPRIMs; where a loop closes or no mobilizer fits, and in Formulation::Constraints everywhere, a JPRIM or
-/// JOINT is a set of primitives. A loop that the tree keeps in a plane is closed without redundant equations: all
+/// JOINT is a constraint. A loop that the tree keeps in a plane is closed without redundant equations: all
 /// loads across the plane go through the tree. Everything is converted to the mechanism's units on the way.
 ///
 /// Simbody cannot solve for a body without inertia. A part without mass gets MasslessFraction of the lightest

@@ -165,8 +165,8 @@ public:
     bool isConservative() const;
     /// Kinetic energy: Simbody's, and what the deformation of flexible bodies adds. Requires Stage::Velocity.
     SimTK::Real calcKineticEnergy(const SimTK::State& state) const;
-    /// What stays the same along a motion: kinetic and potential energy of a conservative mechanism; of any other,
-    /// kinetic energy less the work of all loads, which integrators integrate along. Requires Stage::Velocity.
+    /// What stays the same along a motion: kinetic and potential energy, less the work of loads without a potential and
+    /// of constraints that move with time, which integrators integrate along. Requires Stage::Velocity.
     SimTK::Real calcEnergyBalance(const SimTK::State& state) const;
 
     /// The marker with this id; 0 is ground's own frame. @throws Error if there is none

@@ -82,6 +82,8 @@ public:
 
     /// Strain energy Sum w_k^2 q_k^2 / 2; part of the system's potential energy. Requires Stage::Model.
     SimTK::Real calcElasticEnergy(const SimTK::State& state) const;
+    /// Its time derivative Sum w_k^2 q_k dq_k/dt. Requires Stage::Velocity.
+    SimTK::Real calcElasticEnergyRate(const SimTK::State& state) const;
     /// ~w (Sum J_k q_k) w / 2: the kinetic energy of Partial coupling that Simbody does not know of; 0 with
     /// Constant. Requires Stage::Velocity.
     SimTK::Real calcCouplingEnergy(const SimTK::State& state) const;

@@ -16,7 +16,7 @@ class MarkerForceImpl;
 struct ForceLaw {
     std::optional<Expression> force;   ///< at I's origin
     std::optional<Expression> moment;  ///< about I's origin
-    /// The potential energy, if the load is the gradient of one: a scalar. Simbody adds it to the system's.
+    /// The potential energy of that in the load which has one: a scalar of positions. Simbody adds it to the system's.
     std::optional<Expression> potential;
 };
 
@@ -40,6 +40,10 @@ public:
     /// Requires Stage::Velocity.
     SimTK::SpatialVec calcLoadOnI(const SimTK::State& state) const;
     SimTK::SpatialVec calcLoadOnJ(const SimTK::State& state) const;
+
+    /// The time derivative of the potential energy, 0 without one or if the force is disabled. Requires
+    /// Stage::Velocity.
+    SimTK::Real calcPotentialRate(const SimTK::State& state) const;
 
 private:
     explicit MarkerForce(SimTK::GeneralForceSubsystem& forces, MarkerForceImpl* implementation);

@@ -23,7 +23,7 @@ namespace jprim {
 /// | Planar | INPLANE + PARALLEL_AXES | rotation about z, translation in J's xy plane |
 /// | Fixed | ATPOINT + ORIENTATION | none |
 /// | Universal | ATPOINT + PERPENDICULAR | 2 rotations; z_I and z_J are the bars of the cross |
-/// | Hooke | ATPOINT + PERPENDICULAR on turned markers | 2 rotations; x_I and y_J are the bars |
+/// | Hooke | ATPOINT + x_I . y_J = 0 | 2 rotations; x_I and y_J are the bars |
 /// | Convel | ATPOINT + x_I . y_J = y_I . x_J | 2 rotations; the shafts z_I and z_J turn together |
 /// | Screw | DZ(I,J,J) = pitch AZ(I,J) / 2 pi + offset | 5: it keeps nothing else |
 /// | Rackpin | DZ(I,J,J) = diameter/2 angle + offset | 5; I on the pinion, z_J along the rack's travel |
@@ -62,7 +62,7 @@ public:
 
     /// Adams' word for the type: "REVOLUTE".
     const char* getAdamsType() const { return m_adamsType; }
-    const std::string& getName() const { return m_name; }
+    const std::string& getName() const;
 
     /// The name and the type, or the type alone: what messages call this joint.
     std::string getDescription() const;
@@ -103,7 +103,6 @@ private:
     Joint(const char* adamsType, const GeneralConstraint& constraint);
 
     const char* m_adamsType;
-    std::string m_name;
     std::variant<PairConstraint, GeneralConstraint> m_constraint;
 };
 

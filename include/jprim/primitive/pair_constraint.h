@@ -25,13 +25,6 @@ public:
     /// An empty handle; good only to be assigned to.
     PairConstraint() = default;
 
-    /// The equations of one primitive, or of a translational and a rotational one; the library's own way to add
-    /// a constraint to the matter subsystem of its markers. See primitives.h and Joint.
-    /// @throws Error, naming the constraint, if a marker is on no body, if both markers are on one body or if
-    ///         their bodies belong to different systems
-    PairConstraint(const char* adamsType, const std::vector<const PairEquations*>& equations, const Marker& I,
-                   const Marker& J, const std::string& name);
-
     /// @name Identity
     /// The name appears in every message, e.g. "JPRIM/12". Changing it does not touch the topology.
     ///@{
@@ -92,7 +85,16 @@ public:
     SimTK::SpatialVec calcReactionOnJAtI(const SimTK::State& state, const Marker& axes) const;
     ///@}
 
+protected:
+    /// Adds the equations of one primitive, or of a translational and a rotational one, as one constraint to the matter
+    /// subsystem of the markers.
+    /// @throws Error, naming the constraint, if a marker is on no body, if both markers are on one body or if
+    ///         their bodies belong to different systems
+    PairConstraint(const char* adamsType, const std::vector<const PairEquations*>& equations, const Marker& I,
+                   const Marker& J, const std::string& name);
+
 private:
+    friend class Joint;
     const PairConstraintImpl& getImpl() const;
     PairConstraintImpl& updImpl();
 };

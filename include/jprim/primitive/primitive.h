@@ -14,6 +14,12 @@ public:
     /// An empty handle; good only to be assigned to.
     Primitive() = default;
 
+    /// As those of PairConstraint.
+    Primitive& setName(const std::string& name);
+    Primitive& setDefaultMarkerI(const SimTK::Transform& X);
+    Primitive& setDefaultMarkerJ(const SimTK::Transform& X);
+
+    using PairConstraint::isTranslational;
     /// True if the equations are lengths and the reaction is a force; false if they are angles and it is a
     /// torque.
     bool isTranslational() const { return PairConstraint::isTranslational(0); }
@@ -29,7 +35,7 @@ public:
     SimTK::Real JPRIM(const SimTK::State& state, int jflag, int comp) const;
 
 protected:
-    /// Adds the constraint to the matter subsystem of its markers.
+    /// As PairConstraint, of one kind of equations.
     Primitive(const char* adamsType, const PairEquations& equations, const Marker& I, const Marker& J,
               const std::string& name);
 };

@@ -53,6 +53,9 @@ struct SimulationSummary {
     double largestEnergyChange = 0;  ///< over all steps, from the start
     /// Over all integrated steps, of Mechanism::calcEnergyBalance(): energy that has come from nowhere or is lost.
     double largestImbalance = 0;
+    /// What that may be without a warning: a thousandth of energyScale, or if more the kinetic energy of speeds that the
+    /// accuracy does not tell from rest.
+    double tolerableImbalance = 0;
     /// What changes are held against: largest less smallest kinetic energy; 1e-3 of the largest if it hardly
     /// changes, and where hardly anything moves 1e-9 of the work of the parts' weights over their sizes.
     double energyScale = 0;
