@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -58,17 +59,21 @@ void realizeAcceleration(benchmark::State& benchmarkState, Bodies bodies, const 
     }
 }
 
-// Console output as usual, and the medians kept for the table.
-class MedianKeeper : public benchmark::ConsoleReporter {
+// Console output as usual, and of all repetitions the shortest kept for the table: what else runs on a machine only
+// makes times longer.
+class ShortestKeeper : public benchmark::ConsoleReporter {
 public:
     void ReportRuns(const std::vector<Run>& runs) override {
         ConsoleReporter::ReportRuns(runs);
-        for (const Run& run : runs)
-            if (run.aggregate_name == "median" || run.repetitions == 1)
-                medians[run.run_name.str()] = run.GetAdjustedCPUTime();
+        for (const Run& run : runs) {
+            if (run.run_type != Run::RT_Iteration) continue;
+            const double time = run.GetAdjustedCPUTime();
+            double& kept = shortest.emplace(run.run_name.str(), time).first->second;
+            kept = std::min(kept, time);
+        }
     }
 
-    std::map<std::string, double> medians;
+    std::map<std::string, double> shortest;
 };
 
 constexpr int ChainLengths[] = {1, 5, 20, 80};
@@ -77,7 +82,7 @@ std::string makeName(const Contest& contest, const char* side, Bodies bodies) {
     return fmt::format("{}/{}/{}", contest.name, side, getName(bodies));
 }
 
-void printRatios(const std::vector<Contest>& contests, const std::map<std::string, double>& medians,
+void printRatios(const std::vector<Contest>& contests, const std::map<std::string, double>& shortest,
                  Bodies bodies) {
     fmt::print("\n{:<54}",
                fmt::format("jprim / Simbody, {} bodies, number of constraints:", getName(bodies)));
@@ -86,9 +91,9 @@ void printRatios(const std::vector<Contest>& contests, const std::map<std::strin
     for (const Contest& contest : contests) {
         fmt::print("{:<54}", fmt::format("{} / {}", contest.name, contest.builtInName));
         for (const int n : ChainLengths) {
-            const auto ours = medians.find(fmt::format("{}/{}", makeName(contest, "jprim", bodies), n));
-            const auto builtIn = medians.find(fmt::format("{}/{}", makeName(contest, "Simbody", bodies), n));
-            if (ours == medians.end() || builtIn == medians.end())
+            const auto ours = shortest.find(fmt::format("{}/{}", makeName(contest, "jprim", bodies), n));
+            const auto builtIn = shortest.find(fmt::format("{}/{}", makeName(contest, "Simbody", bodies), n));
+            if (ours == shortest.end() || builtIn == shortest.end())
                 fmt::print("{:>8}", "-");
             else
                 fmt::print("{:>8.2f}", ours->second / builtIn->second);
@@ -120,10 +125,10 @@ void runContests(const std::vector<Contest>& contests, int argc, char** argv) {
     for (const Contest& contest : contests)
         for (const Bodies bodies : {Bodies::Free, Bodies::Pinned}) registerContest(contest, bodies);
     benchmark::Initialize(&argc, argv);
-    MedianKeeper reporter;
+    ShortestKeeper reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     for (const Bodies bodies : {Bodies::Free, Bodies::Pinned})
-        printRatios(contests, reporter.medians, bodies);
+        printRatios(contests, reporter.shortest, bodies);
 }
 
 }  // namespace jprim::benchmarks

@@ -33,8 +33,8 @@ void addPointInPlane(SimTK::MobilizedBody& J, SimTK::MobilizedBody& I, const Sim
 void addRightAngle(SimTK::MobilizedBody& J, SimTK::MobilizedBody& I, const SimTK::Transform& X_BJ);
 
 /// Runs all contests with the command line's options for Google Benchmark, then prints tables of the ratio of
-/// medians, jprim / Simbody. Both sides are interleaved with
-///     --benchmark_enable_random_interleaving=true --benchmark_repetitions=9 --benchmark_min_time=0.05
+/// the shortest times, jprim / Simbody. Both sides are interleaved with
+///     --benchmark_enable_random_interleaving=true --benchmark_repetitions=30 --benchmark_min_time=0.01
 void runContests(const std::vector<Contest>& contests, int argc, char** argv);
 
 }  // namespace jprim::benchmarks

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -19,69 +20,82 @@ using jprim::benchmarks::Run;
 
 constexpr double Errors[] = {1e-5, 1e-6};  // m
 
-// The time at the loosest accuracy from which on each of the errors is met, over accuracies a factor of 2 apart. A
-// single loose run may come near by chance: errors change sign from one accuracy to the next.
-std::vector<double> findTimes(int n, Formulation formulation) {
-    constexpr int MetInARow = 3, Runs = 3;  // by the tightest error; of which the shortest counts
-    const Mechanism mechanism = jprim::benchmarks::buildFourBars(n, formulation);
-    std::vector<double> times(std::size(Errors), SimTK::NaN);
+// The loosest accuracies from which on each of the errors is met, in steps of a factor of 2. A single loose run may
+// come near by chance: errors change sign from one accuracy to the next.
+std::vector<double> findAccuracies(const Mechanism& mechanism, int n) {
+    constexpr int MetInARow = 3;  // the tightest error
+    std::vector<double> accuracies(std::size(Errors), SimTK::NaN);
     int met = 0;
     for (double accuracy = 1e-2; met < MetInARow; accuracy /= 2) {
-        Run run = jprim::benchmarks::integrate(mechanism, jprim::benchmarks::FourBarsEnd, accuracy);
-        for (int k = 1; k < Runs; ++k) {
-            const Run again =
-                jprim::benchmarks::integrate(mechanism, jprim::benchmarks::FourBarsEnd, accuracy);
-            run.seconds = std::min(run.seconds, again.seconds);
-        }
+        const Run run = jprim::benchmarks::integrate(mechanism, jprim::benchmarks::FourBarsEnd, accuracy);
         const double error = jprim::benchmarks::calcFourBarsError(mechanism, n, run.finalState);
-        for (size_t k = 0; k < times.size(); ++k) {
+        for (size_t k = 0; k < accuracies.size(); ++k) {
             if (error > Errors[k])
-                times[k] = SimTK::NaN;
-            else if (std::isnan(times[k]))
-                times[k] = run.seconds;
+                accuracies[k] = SimTK::NaN;
+            else if (std::isnan(accuracies[k]))
+                accuracies[k] = accuracy;
         }
         met = error <= Errors[std::size(Errors) - 1] ? met + 1 : 0;
     }
-    return times;
+    return accuracies;
 }
 
-// Seconds for one realization to Stage::Acceleration, the shortest of many.
-double measureRealization(int n, Formulation formulation) {
-    constexpr double Enough = 0.5;  // s
-    const Mechanism mechanism = jprim::benchmarks::buildFourBars(n, formulation);
-    SimTK::State state = assemble(mechanism).state;
-    double shortest = SimTK::Infinity;
-    for (double passed = 0; passed < Enough;) {
-        const double seconds = jprim::benchmarks::measureSeconds([&] {
-            state.updQ();  // forgets all that depends on positions
-            mechanism.getSystem().realize(state, SimTK::Stage::Acceleration);
-        });
-        passed += seconds;
-        shortest = std::min(shortest, seconds);
-    }
+// Each measurement in turn, many times; of each the shortest time, which what else runs on the machine disturbs least.
+std::vector<double> measureInTurn(int rounds, const std::vector<std::function<double()>>& measurements) {
+    std::vector<double> shortest(measurements.size(), SimTK::Infinity);
+    for (int round = 0; round < rounds; ++round)
+        for (size_t k = 0; k < measurements.size(); ++k)
+            shortest[k] = std::min(shortest[k], measurements[k]());
     return shortest;
+}
+
+void compareRuns(int n) {
+    constexpr int Rounds = 7, MostByConstraints = 10;  // beyond, minutes
+    std::vector<Mechanism> mechanisms;
+    mechanisms.push_back(jprim::benchmarks::buildFourBars(n, Formulation::Tree));
+    if (n <= MostByConstraints)
+        mechanisms.push_back(jprim::benchmarks::buildFourBars(n, Formulation::Constraints));
+    std::vector<std::function<double()>> runs;
+    for (const Mechanism& mechanism : mechanisms)
+        for (const double accuracy : findAccuracies(mechanism, n))
+            runs.push_back([&mechanism, accuracy] {
+                return jprim::benchmarks::integrate(mechanism, jprim::benchmarks::FourBarsEnd, accuracy)
+                    .seconds;
+            });
+    const std::vector<double> seconds = measureInTurn(Rounds, runs);
+    const size_t count = std::size(Errors);
+    for (size_t k = 0; k < count; ++k) {
+        fmt::print("{:>5}{:>11.0e}{:>11.4f}", n, Errors[k], seconds[k]);
+        if (mechanisms.size() > 1)
+            fmt::print("{:>17.4f}{:>7.1f}", seconds[count + k], seconds[count + k] / seconds[k]);
+        fmt::print("\n");
+    }
+}
+
+// To Stage::Acceleration, of all that depends on positions.
+void compareRealizations(int n) {
+    const int rounds = std::clamp(20000 / (n * n), 10, 1000);
+    const Mechanism tree = jprim::benchmarks::buildFourBars(n, Formulation::Tree);
+    const Mechanism constraints = jprim::benchmarks::buildFourBars(n, Formulation::Constraints);
+    const auto realizeAgain = [](const Mechanism& mechanism) {
+        return [&mechanism, state = assemble(mechanism).state]() mutable {
+            state.updQ();
+            return jprim::benchmarks::measureSeconds(
+                [&] { mechanism.getSystem().realize(state, SimTK::Stage::Acceleration); });
+        };
+    };
+    const std::vector<double> seconds =
+        measureInTurn(rounds, {realizeAgain(tree), realizeAgain(constraints)});
+    fmt::print("{:>5}{:>26.3f}{:>18.3f}{:>7.1f}\n", n, 1e3 * seconds[0], 1e3 * seconds[1],
+               seconds[1] / seconds[0]);
 }
 
 }  // namespace
 
 int main() {
     fmt::print("    N  error [m]   tree [s]  constraints [s]  ratio\n");
-    for (const int n : {2, 10, 40, 80}) {
-        const std::vector<double> tree = findTimes(n, Formulation::Tree);
-        std::vector<double> constraints;
-        if (n <= 10) constraints = findTimes(n, Formulation::Constraints);  // beyond, minutes
-        for (size_t k = 0; k < tree.size(); ++k) {
-            fmt::print("{:>5}{:>11.0e}{:>11.4f}", n, Errors[k], tree[k]);
-            if (!constraints.empty())
-                fmt::print("{:>17.4f}{:>7.1f}", constraints[k], constraints[k] / tree[k]);
-            fmt::print("\n");
-        }
-    }
+    for (const int n : {2, 10, 40, 80}) compareRuns(n);
     fmt::print("    N  a realization: tree [ms]  constraints [ms]  ratio\n");
-    for (const int n : {2, 10, 20, 40, 80}) {
-        const double tree = measureRealization(n, Formulation::Tree);
-        const double constraints = measureRealization(n, Formulation::Constraints);
-        fmt::print("{:>5}{:>26.3f}{:>18.3f}{:>7.1f}\n", n, 1e3 * tree, 1e3 * constraints, constraints / tree);
-    }
+    for (const int n : {2, 10, 20, 40, 80}) compareRealizations(n);
     return 0;
 }

@@ -211,14 +211,17 @@ MarkerPair PairConstraintImpl::findPair(const State& state) const {
 }
 
 //------------------------------------------------------------------------- what Simbody asks for
+// A torque is the same about every point: a rotational row has no force and opposite moments.
 Real PairConstraintImpl::multiply(const PositionCache& cache, int equation,
                                   const Array_<SpatialVec, ConstrainedBodyIndex>& motions,
                                   const Array_<Real, ConstrainedQIndex>& coordinates) const {
     const Row& row = cache.rows[size_t(equation)];
     const SpatialVec& motionI = motions[m_I.body];
     const SpatialVec& motionJ = motions[m_J.body];
-    Real sum = SimTK::dot(row.momentI, motionI[0]) + SimTK::dot(row.momentJ, motionJ[0]) +
-               SimTK::dot(row.force, motionI[1] - motionJ[1]);
+    Real sum = m_equations[size_t(equation)].isTranslational
+                   ? SimTK::dot(row.momentI, motionI[0]) + SimTK::dot(row.momentJ, motionJ[0]) +
+                         SimTK::dot(row.force, motionI[1] - motionJ[1])
+                   : SimTK::dot(row.momentI, motionI[0] - motionJ[0]);
     const Real* modal = cache.modalRows.data() + equation * m_numCoordinates;
     for (int i = 0; i < m_numCoordinates; ++i) sum += modal[i] * coordinates[ConstrainedQIndex(i)];
     return sum;
@@ -257,6 +260,9 @@ void PairConstraintImpl::calcPositionDotDotErrors(const State& state,
 void PairConstraintImpl::addInPositionConstraintForces(
     const State& state, const Array_<Real>& multipliers,
     Array_<SpatialVec, ConstrainedBodyIndex>& bodyForcesInA, Array_<Real, ConstrainedQIndex>& qForces) const {
+    const auto isZero = [](Real value) { return value == 0; };
+    if (std::all_of(multipliers.begin(), multipliers.end(), isZero)) return;
+
     const PositionCache& cache = getPositionCache(state);
     SpatialVec& onI = bodyForcesInA[m_I.body];
     SpatialVec& onJ = bodyForcesInA[m_J.body];
@@ -264,10 +270,13 @@ void PairConstraintImpl::addInPositionConstraintForces(
         const Real lambda = multipliers[unsigned(k)];
         if (lambda == 0) continue;
         const Row& row = cache.rows[size_t(k)];
-        onI += lambda * SpatialVec(row.momentI, row.force);
-        onJ += lambda * SpatialVec(row.momentJ, -row.force);
+        onI[0] += lambda * row.momentI;
+        onJ[0] += lambda * row.momentJ;
         const Real* modal = cache.modalRows.data() + k * m_numCoordinates;
         for (int i = 0; i < m_numCoordinates; ++i) qForces[ConstrainedQIndex(i)] += lambda * modal[i];
+        if (!m_equations[size_t(k)].isTranslational) continue;
+        onI[1] += lambda * row.force;
+        onJ[1] -= lambda * row.force;
     }
 }
 
