@@ -73,8 +73,8 @@ struct Connection {
     int i = 0;         ///< marker ids
     int j = 0;
     bool inTree = false;  ///< a mobilizer is in its place
-    /// Its constraint. Empty if it is in the tree; in a loop that the tree keeps in a
-    /// plane only what is not redundant: an INLINE of a hinge or ball, nothing of PARALLEL_AXES, INPLANE or PLANAR.
+    /// Its constraint. Empty if it is in the tree; in a loop that the tree keeps in a plane only what is not
+    /// redundant: an INLINE of a hinge or ball, nothing of PARALLEL_AXES, INPLANE or PLANAR.
     std::optional<Joint> joint;
 };
 
