@@ -50,7 +50,8 @@ std::vector<double> measureInTurn(int rounds, const std::vector<std::function<do
 }
 
 void compareRuns(int n) {
-    constexpr int Rounds = 7, MostByConstraints = 10;  // beyond, minutes
+    constexpr int MostByConstraints = 10;  // beyond, minutes
+    const int rounds = n <= 10 ? 25 : 7;
     std::vector<Mechanism> mechanisms;
     mechanisms.push_back(jprim::benchmarks::buildFourBars(n, Formulation::Tree));
     if (n <= MostByConstraints)
@@ -62,7 +63,7 @@ void compareRuns(int n) {
                 return jprim::benchmarks::integrate(mechanism, jprim::benchmarks::FourBarsEnd, accuracy)
                     .seconds;
             });
-    const std::vector<double> seconds = measureInTurn(Rounds, runs);
+    const std::vector<double> seconds = measureInTurn(rounds, runs);
     const size_t count = std::size(Errors);
     for (size_t k = 0; k < count; ++k) {
         fmt::print("{:>5}{:>11.0e}{:>11.4f}", n, Errors[k], seconds[k]);
