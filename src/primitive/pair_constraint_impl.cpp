@@ -129,20 +129,27 @@ const PairConstraintImpl::Errors& PairConstraintImpl::getBias(const State& state
 }
 
 //---------------------------------------------------------------------------------- the equations
-void PairConstraintImpl::calcErrors(const MarkerPair& pair, Errors& e) const {
-    Real* next = e.data();
-    for (const PairEquations* part : m_parts) {
-        part->calcErrors(pair, next);
+namespace {
+
+// Has each part write where the one before it ended.
+template <class Output, class Calc>
+void calcInTurn(const PairConstraintImpl::Parts& parts, Output* next, const Calc& calc) {
+    for (const PairEquations* part : parts) {
+        calc(*part, next);
         next += part->getNumEquations();
     }
 }
 
+}  // namespace
+
+void PairConstraintImpl::calcErrors(const MarkerPair& pair, Errors& e) const {
+    calcInTurn(m_parts, e.data(),
+               [&](const PairEquations& part, Real* ofPart) { part.calcErrors(pair, ofPart); });
+}
+
 void PairConstraintImpl::calcDirections(const MarkerPair& pair, Directions& d) const {
-    SpatialVec* next = d.data();
-    for (const PairEquations* part : m_parts) {
-        part->calcDirections(pair, next);
-        next += part->getNumEquations();
-    }
+    calcInTurn(m_parts, d.data(),
+               [&](const PairEquations& part, SpatialVec* ofPart) { part.calcDirections(pair, ofPart); });
 }
 
 //------------------------------------------------------------------------- from markers to bodies
@@ -192,11 +199,8 @@ PairConstraintImpl::Errors PairConstraintImpl::calcBodyBias(const State& state) 
 
     const SpatialVec V_J = pair.calcVelocity(V_AI, V_AJ);
     Errors bias{};
-    Real* next = bias.data();
-    for (const PairEquations* part : m_parts) {
-        part->calcBias(pair, V_J, next);
-        next += part->getNumEquations();
-    }
+    calcInTurn(m_parts, bias.data(),
+               [&](const PairEquations& part, Real* ofPart) { part.calcBias(pair, V_J, ofPart); });
     const Directions& d = getPositionCache(state).directions;
     for (size_t k = 0; k < m_equations.size(); ++k)
         bias[k] =

@@ -37,32 +37,32 @@ Real calcUnnoticedEnergy(const Mechanism& mechanism, const State& state, Real ac
 
 }  // namespace
 
-void EnergyWatch::start(const State& state) {
+void EnergyWatch::start(const State& state, Real energy) {
     constexpr Real HardlyMoving = 1e-9;
     m_isStarted = true;
-    m_leastKinetic = m_mostKinetic = m_mechanism.calcKineticEnergy(state);
-    m_summary.energyAtStart = m_leastKinetic + m_mechanism.getSystem().calcPotentialEnergy(state);
+    m_leastKinetic = m_mostKinetic = m_kinetic;
+    m_summary.energyAtStart = energy;
     m_smallestScale = HardlyMoving * calcWorkOfWeights(m_mechanism, state);
     m_unnoticed = calcUnnoticedEnergy(m_mechanism, state, m_accuracy);
 }
 
 void EnergyWatch::observe(const State& state) {
     constexpr Real HardlyChanging = 1e-3, Tolerable = 1e-3;
-    if (!m_isStarted) start(state);
-    const Real kinetic = m_mechanism.calcKineticEnergy(state);
-    m_leastKinetic = std::min(m_leastKinetic, kinetic);
-    m_mostKinetic = std::max(m_mostKinetic, kinetic);
+    m_kinetic = m_mechanism.calcKineticEnergy(state);
+    m_summary.energyAtEnd = m_kinetic + m_mechanism.getSystem().calcPotentialEnergy(state);
+    if (!m_isStarted) start(state, m_summary.energyAtEnd);
+    m_leastKinetic = std::min(m_leastKinetic, m_kinetic);
+    m_mostKinetic = std::max(m_mostKinetic, m_kinetic);
     m_summary.energyScale =
         std::max({m_mostKinetic - m_leastKinetic, HardlyChanging * m_mostKinetic, m_smallestScale});
     m_summary.tolerableImbalance = std::max(Tolerable * m_summary.energyScale, m_unnoticed);
-    m_summary.energyAtEnd = kinetic + m_mechanism.getSystem().calcPotentialEnergy(state);
     m_summary.largestEnergyChange =
         std::max(m_summary.largestEnergyChange, std::abs(m_summary.energyAtEnd - m_summary.energyAtStart));
 }
 
 void EnergyWatch::checkBalance(const State& state) {
     constexpr Real OfRange = 1e-2, OfKinetic = 0.1, OfScale = 1e4;
-    const Real balance = m_mechanism.calcEnergyBalance(state), kinetic = m_mechanism.calcKineticEnergy(state);
+    const Real balance = m_mechanism.calcEnergyBalance(state);
     if (!m_balanceAtStart) m_balanceAtStart = m_lastBalance = balance;
     m_summary.largestImbalance = std::max(m_summary.largestImbalance, std::abs(balance - *m_balanceAtStart));
     const Real jump = std::abs(balance - m_lastBalance);
@@ -72,9 +72,9 @@ void EnergyWatch::checkBalance(const State& state) {
         throw std::runtime_error(fmt::format(
             "{:.2g} of the kinetic energy has come from nowhere or is lost within a step near a singular position, and with "
             "it the motion through that",
-            jump / std::max({jump, kinetic, m_lastKinetic})));
+            jump / std::max({jump, m_kinetic, m_lastKinetic})));
     m_lastBalance = balance;
-    m_lastKinetic = kinetic;
+    m_lastKinetic = m_kinetic;
 }
 
 }  // namespace jprim

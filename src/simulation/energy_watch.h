@@ -26,14 +26,14 @@ public:
     void checkBalance(const SimTK::State& state);
 
 private:
-    void start(const SimTK::State& state);
+    void start(const SimTK::State& state, SimTK::Real energy);
 
     const Mechanism& m_mechanism;
     double m_accuracy;
     SimulationSummary& m_summary;
     bool m_isStarted = false;
     std::optional<SimTK::Real> m_balanceAtStart;
-    SimTK::Real m_lastBalance = 0, m_lastKinetic = 0;
+    SimTK::Real m_kinetic = 0, m_lastBalance = 0, m_lastKinetic = 0;
     SimTK::Real m_leastKinetic = 0, m_mostKinetic = 0;
     SimTK::Real m_smallestScale = 0, m_unnoticed = 0;
 };

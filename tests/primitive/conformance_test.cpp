@@ -70,6 +70,10 @@ TEST_P(PrimitiveConformance, HoldsOffTheManifold) {
     }
 }
 
+std::string nameCase(const ::testing::TestParamInfo<PrimitiveConformance::ParamType>& info) {
+    return std::string(std::get<0>(info.param).name) + getName(std::get<1>(info.param));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     AllSix, PrimitiveConformance,
     ::testing::Combine(::testing::Values(makeMember<AtPoint>("AtPoint", 3), makeMember<InLine>("InLine", 2),
@@ -79,9 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
                                          makeMember<Perpendicular>("Perpendicular", 1)),
                        ::testing::Values(Tree::AncestorMoves, Tree::IOnGround, Tree::JOnGround,
                                          Tree::FlexibleI, Tree::FlexibleJ, Tree::FlexibleBoth)),
-    [](const auto& info) {
-        return std::string(std::get<0>(info.param).name) + getName(std::get<1>(info.param));
-    });
+    nameCase);
 
 // Equations of two kinds in one constraint, and those that no primitive has.
 INSTANTIATE_TEST_SUITE_P(
@@ -92,9 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
                                          makeJoint<Joint::Hooke>("Hooke", 4), makeConvel<false>("Convel"),
                                          makeConvel<true>("ConvelOpposed")),
                        ::testing::Values(Tree::AncestorMoves, Tree::FlexibleBoth)),
-    [](const auto& info) {
-        return std::string(std::get<0>(info.param).name) + getName(std::get<1>(info.param));
-    });
+    nameCase);
 
 //---------------------------------------------------------------------------------------- mutants
 // The largest defect over the seeds; a mutant must show at least the one it was given.
