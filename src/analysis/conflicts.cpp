@@ -43,7 +43,7 @@ Conflict findConflict(const Block& block, const ScaledEquations& equations, cons
     for (const int row : block.rows) {
         if (std::abs(minimum.errors[row]) < Negligible * largest) continue;
         conflict.equations.push_back(row);
-        conflict.errors.push_back(minimum.state.getQErr()[equations.getEquations()[size_t(row)].multiplier]);
+        conflict.errors.push_back(equations.getEquations()[size_t(row)].getError(minimum.state.getQErr()));
     }
     return conflict;
 }

@@ -82,6 +82,13 @@ ElementName findName(const Constraint& constraint, const ElementNames& names) {
     return {pair->getDescription(), describeEquations(*pair)};
 }
 
+SimTK::Real findScale(const Constraint& constraint, const State& state, int number) {
+    if (const auto* pair = findPairConstraint(constraint))
+        return pair->getPlacements(state).scales[size_t(number)];
+    const auto* general = findImplementation<GeneralConstraintImpl>(constraint);
+    return general ? general->getStateScale(state) : 1;
+}
+
 void appendEquations(const Constraint& constraint, const State& state, const ElementNames& names,
                      std::vector<ConstraintEquation>& equations) {
     int mp = 0, mv = 0, ma = 0;
@@ -94,10 +101,10 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
     const auto append = [&](int count, MultiplierIndex first, EquationLevel level) {
         for (int k = 0; k < count; ++k, ++number) {
             const bool isNamed = number < int(name.equations.size());
-            equations.push_back({name.element,
-                                 isNamed ? name.equations[number] : fmt::format("equation {}", number + 1),
-                                 level, constraint.getConstraintIndex(), number, int(first) + k,
-                                 pair ? pair->isTranslational(number) : name.isLength});
+            equations.push_back(
+                {name.element, isNamed ? name.equations[number] : fmt::format("equation {}", number + 1),
+                 level, constraint.getConstraintIndex(), number, int(first) + k,
+                 pair ? pair->isTranslational(number) : name.isLength, findScale(constraint, state, number)});
         }
     };
     append(mp, firstP, EquationLevel::Holonomic);

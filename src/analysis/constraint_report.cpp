@@ -31,8 +31,22 @@ State findAdmissible(const SimbodyMatterSubsystem& matter, const State& given,
     return minimum.isMet() ? minimum.state : given;
 }
 
-ConstraintCount makeCount(const MatrixXd& A, const RankDecision& decision) {
-    return {int(A.cols()), int(A.rows()), decision.rank, decision.smallestKept, decision.largestDropped};
+// Holonomic equations that are in use, and as good as zero in all columns.
+bool hasOnlyEmptyHolonomic(const std::vector<ConstraintEquation>& equations, const MatrixXd& A) {
+    constexpr double Doubtful = 1e-7;  // as a singular value that stands alone
+    bool hasHolonomic = false;
+    for (int i = 0; i < A.rows(); ++i) {
+        if (equations[size_t(i)].level != EquationLevel::Holonomic) continue;
+        if (A.row(i).norm() > Doubtful) return false;
+        hasHolonomic = true;
+    }
+    return hasHolonomic;
+}
+
+ConstraintCount makeCount(const std::vector<ConstraintEquation>& equations, const MatrixXd& A,
+                          const RankDecision& decision) {
+    return {int(A.cols()),         int(A.rows()),           decision.rank,
+            decision.smallestKept, decision.largestDropped, hasOnlyEmptyHolonomic(equations, A)};
 }
 
 // Independent equations nearby that depend on each other here: the others are left out.
@@ -71,7 +85,7 @@ ConstraintCount countFreedoms(const SimbodyMatterSubsystem& matter, const State&
     const std::vector<ConstraintEquation> equations = findEquations(matter, given);
     const State state = findAdmissible(matter, given, equations);
     const MatrixXd A = ScaledEquations(matter, equations, state).calcJacobian(state);
-    return makeCount(A, Decomposition(A, Vectors::None).getDecision());
+    return makeCount(equations, A, Decomposition(A, Vectors::None).getDecision());
 }
 
 ConstraintReport analyzeConstraints(const SimbodyMatterSubsystem& matter, const State& given,
@@ -82,7 +96,7 @@ ConstraintReport analyzeConstraints(const SimbodyMatterSubsystem& matter, const 
     const ScaledEquations scaled(matter, report.equations, state);
     const MatrixXd A = scaled.calcJacobian(state);
     const Decomposition here(A, Vectors::Both);
-    static_cast<ConstraintCount&>(report) = makeCount(A, here.getDecision());
+    static_cast<ConstraintCount&>(report) = makeCount(report.equations, A, here.getDecision());
     report.freedomsNearby = report.getDegreesOfFreedom();
     if (report.getNumRedundant() == 0) return report;
 

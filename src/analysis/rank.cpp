@@ -60,15 +60,16 @@ std::vector<Block> findBlocks(const MatrixXd& A) {
 RankDecision decideRank(const std::vector<double>& values) {
     // Between these a value counts or not depending on its neighbours. The square root of Zero is thus the
     // size at which a value that stands alone is in doubt: halfway between 1 and what rounding leaves.
-    constexpr double AlwaysKept = 1e-4, Zero = 1e-14;
+    constexpr double Ordinary = 1, AlwaysKept = 1e-4, Zero = 1e-14;
     RankDecision decision;
     double widest = 0;
-    for (size_t r = 1; r <= values.size() && values[r - 1] > Zero; ++r) {
-        const double dropped = r < values.size() ? values[r] : 0;
-        const double ratio = values[r - 1] / std::max(dropped, Zero);
+    for (size_t r = 0; r <= values.size(); ++r) {
+        const double kept = r > 0 ? values[r - 1] : Ordinary, dropped = r < values.size() ? values[r] : 0;
+        if (kept <= Zero) break;
+        const double ratio = kept / std::max(dropped, Zero);
         if (dropped > AlwaysKept || ratio <= widest) continue;
         widest = ratio;
-        decision = {int(r), values[r - 1], dropped};
+        decision = {int(r), r > 0 ? kept : 0, dropped};
     }
     return decision;
 }

@@ -21,7 +21,8 @@ struct RankDecision {
     double smallestKept = 0;    ///< 0 if none is
     double largestDropped = 0;  ///< 0 if none is
 };
-/// Cuts where the ratio of a singular value to the next is largest. @param values  in descending order
+/// Cuts where the ratio of a singular value to the next is largest; before the first stands 1, the size of an equation
+/// that does something. @param values  in descending order
 RankDecision decideRank(const std::vector<double>& values);
 
 /// Singular values and null spaces of a matrix, found block by block.

@@ -10,6 +10,7 @@ namespace jprim {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using SimTK::SimbodyMatterSubsystem;
+using SimTK::SpatialVec;
 using SimTK::Stage;
 using SimTK::State;
 
@@ -42,33 +43,66 @@ struct RowSizes {
     VectorXd turn, shift;
 };
 
-// Taken from the load of the equation on bodies, which does not depend on how they hang in a tree; coordinates with
-// loads of their own count as what they move. What rounding leaves of a shift does not count.
-RowSizes measureRows(const SimbodyMatterSubsystem& matter, const State& state,
-                     const std::vector<ConstraintEquation>& equations) {
-    const Mobilities sizes = measureMobilities(matter, state);
-    RowSizes rows{VectorXd::Zero(int(equations.size())), VectorXd::Zero(int(equations.size()))};
-    SimTK::Vector multipliers(state.getNMultipliers(), SimTK::Real(0)), mobilityForces;
-    SimTK::Vector_<SimTK::SpatialVec> bodyForces;
-    for (int i = 0; i < rows.turn.size(); ++i) {
-        const auto multiplier = equations[size_t(i)].multiplier;
-        multipliers[multiplier] = 1;
-        matter.calcConstraintForcesFromMultipliers(state, multipliers, bodyForces, mobilityForces);
-        multipliers[multiplier] = 0;
-        double turn = 0, shift = 0;
-        for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b) {
-            turn += bodyForces[b][0].normSqr();
-            shift += bodyForces[b][1].normSqr();
+// What one unit of each speed and of each multiplier are, body by body: the motions V and the loads F whose powers,
+// added up, are the entries of G. What a tree takes out of G is still there in the loads and in each of the powers.
+class Powers {
+public:
+    Powers(const SimbodyMatterSubsystem& matter, const State& state,
+           const std::vector<ConstraintEquation>& equations)
+        : m_loads(equations.size()), m_onMobilities(int(equations.size()), state.getNU()) {
+        SimTK::Vector multipliers(state.getNMultipliers(), SimTK::Real(0)), mobilityForces;
+        SimTK::Vector_<SpatialVec> bodyForces;
+        for (size_t i = 0; i < equations.size(); ++i) {
+            const auto multiplier = equations[i].multiplier;
+            multipliers[multiplier] = 1;
+            matter.calcConstraintForcesFromMultipliers(state, multipliers, bodyForces, mobilityForces);
+            multipliers[multiplier] = 0;
+            for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b)
+                if (bodyForces[b].norm() > 0) m_loads[i].push_back({b, bodyForces[b]});
+            for (int j = 0; j < mobilityForces.size(); ++j) m_onMobilities(int(i), j) = mobilityForces[j];
         }
-        for (int j = 0; j < mobilityForces.size(); ++j) {
-            if (sizes.angular[j] > 0) turn += SimTK::square(mobilityForces[j] / sizes.angular[j]);
-            if (sizes.linear[j] > 0) shift += SimTK::square(mobilityForces[j] / sizes.linear[j]);
-        }
-        rows.turn[i] = std::sqrt(turn);
-        rows.shift[i] = std::sqrt(shift) > Rounding * rows.turn[i] ? std::sqrt(shift) : 0;
     }
-    return rows;
-}
+
+    // Coordinates with loads of their own count as what they move. What rounding leaves of a shift does not count.
+    RowSizes measureRows(const Mobilities& sizes) const {
+        RowSizes rows{VectorXd::Zero(m_onMobilities.rows()), VectorXd::Zero(m_onMobilities.rows())};
+        for (int i = 0; i < rows.turn.size(); ++i) {
+            double turn = 0, shift = 0;
+            for (const auto& [body, F] : m_loads[size_t(i)]) {
+                turn += F[0].normSqr();
+                shift += F[1].normSqr();
+            }
+            for (int j = 0; j < m_onMobilities.cols(); ++j) {
+                const double f = m_onMobilities(i, j);
+                if (sizes.angular[j] > 0) turn += SimTK::square(f / sizes.angular[j]);
+                if (sizes.linear[j] > 0) shift += SimTK::square(f / sizes.linear[j]);
+            }
+            rows.turn[i] = std::sqrt(turn);
+            rows.shift[i] = std::sqrt(shift) > Rounding * rows.turn[i] ? std::sqrt(shift) : 0;
+        }
+        return rows;
+    }
+
+    // The sum of the sizes of all powers in each entry of G.
+    MatrixXd measureEntries(const SimbodyMatterSubsystem& matter, const State& state) const {
+        MatrixXd sizes = m_onMobilities.cwiseAbs();
+        SimTK::Vector u(state.getNU(), SimTK::Real(0));
+        SimTK::Vector_<SpatialVec> V;
+        for (int j = 0; j < sizes.cols(); ++j) {
+            u[j] = 1;
+            matter.multiplyBySystemJacobian(state, u, V);
+            u[j] = 0;
+            for (int i = 0; i < sizes.rows(); ++i)
+                for (const auto& [body, F] : m_loads[size_t(i)])
+                    sizes(i, j) += V[body][0].norm() * F[0].norm() + V[body][1].norm() * F[1].norm();
+        }
+        return sizes;
+    }
+
+private:
+    std::vector<std::vector<std::pair<SimTK::MobilizedBodyIndex, SpatialVec>>> m_loads;  // of each equation
+    MatrixXd m_onMobilities;
+};
 
 // The root mean square of all levers: what an equation says about a turn by what it says about a shift.
 double calcLength(const RowSizes& rows) {
@@ -86,8 +120,9 @@ double calcLength(const RowSizes& rows) {
 ScaledEquations::ScaledEquations(const SimbodyMatterSubsystem& matter,
                                  std::vector<ConstraintEquation> equations, const State& state)
     : m_matter(matter), m_equations(std::move(equations)) {
-    const MatrixXd G = calcUnscaledJacobian(state);
-    const RowSizes rows = measureRows(matter, state, m_equations);
+    realize(state);
+    const Powers powers(matter, state, m_equations);
+    const RowSizes rows = powers.measureRows(measureMobilities(matter, state));
     const VectorXd sizes = (rows.shift.array() > 0).select(calcLength(rows) * rows.shift, rows.turn);
     // Rows and columns of nothing but rounding errors must not be made as long as the others.
     const auto invert = [](const VectorXd& lengths) -> VectorXd {
@@ -95,25 +130,30 @@ ScaledEquations::ScaledEquations(const SimbodyMatterSubsystem& matter,
         return lengths.unaryExpr([noise](double size) { return size > noise ? 1 / size : 1; });
     };
     m_rowScale = invert(sizes);
-    m_columnScale = invert((m_rowScale.asDiagonal() * G).colwise().norm().transpose());
+    const MatrixXd entries = powers.measureEntries(matter, state);
+    m_columnScale = invert((m_rowScale.asDiagonal() * entries).colwise().norm().transpose());
+    m_noise = Rounding * entries;
 }
 
 void ScaledEquations::realize(const State& state) const {
     m_matter.getSystem().realize(state, Stage::Velocity);
 }
 
-MatrixXd ScaledEquations::calcUnscaledJacobian(const State& state) const {
+MatrixXd ScaledEquations::calcCleanJacobian(const State& state) const {
     realize(state);
     SimTK::Matrix G;
     m_matter.calcG(state, G);
     MatrixXd A(int(m_equations.size()), state.getNU());
     for (int i = 0; i < A.rows(); ++i)
-        for (int j = 0; j < A.cols(); ++j) A(i, j) = G(m_equations[size_t(i)].multiplier, j);
+        for (int j = 0; j < A.cols(); ++j) {
+            const double entry = G(m_equations[size_t(i)].multiplier, j);
+            A(i, j) = std::abs(entry) > m_noise(i, j) ? entry : 0;
+        }
     return A;
 }
 
 MatrixXd ScaledEquations::calcJacobian(const State& state) const {
-    return m_rowScale.asDiagonal() * calcUnscaledJacobian(state) * m_columnScale.asDiagonal();
+    return m_rowScale.asDiagonal() * calcCleanJacobian(state) * m_columnScale.asDiagonal();
 }
 
 VectorXd ScaledEquations::calcErrors(const State& state) const {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/general/general_constraint.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "general/check_expression.h"
 #include "general/general_constraint_impl.h"
 #include "jprim/base/error.h"
@@ -56,16 +60,26 @@ GeneralConstraint& GeneralConstraint::setDefaultScale(Real scale) {
     return *this;
 }
 
+void GeneralConstraint::setEquationScale(State& state, Real scale) const {
+    if (!(scale >= 0 && std::isfinite(scale)))
+        throw Error(getName(), fmt::format("{} is no scale of an equation; use a positive number", scale));
+    getImpl().setStateScale(state, scale);
+}
+
+Real GeneralConstraint::getEquationScale(const State& state) const {
+    return getImpl().getStateScale(state);
+}
+
 void GeneralConstraint::dropEquation(State& state) const {
-    getImpl().setDropped(state, true);
+    setEquationScale(state, 0);
 }
 
 void GeneralConstraint::restoreEquation(State& state) const {
-    getImpl().setDropped(state, false);
+    setEquationScale(state, 1);
 }
 
 bool GeneralConstraint::isEquationDropped(const State& state) const {
-    return getImpl().isDropped(state);
+    return getEquationScale(state) == 0;
 }
 
 Real GeneralConstraint::calcEquationError(const State& state) const {

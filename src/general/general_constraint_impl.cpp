@@ -82,8 +82,7 @@ void GeneralConstraintImpl::realizeTopology(State& state) const {
     if (m_function) cache.function.emplace(m_function->program);
     m_positionCache = matter.allocateCacheEntry(state, Stage::Position, new Value<PositionCache>(cache));
     m_bias = matter.allocateCacheEntry(state, Stage::Velocity, new Value<Real>());
-    // No bool: Simbody copies some of its own before they have a value, and would do so by code compiled here.
-    m_isDropped = matter.allocateDiscreteVariable(state, Stage::Position, new Value<int>(false));
+    m_stateScale = matter.allocateDiscreteVariable(state, Stage::Position, new Value<Real>(1));
 }
 
 GeneralConstraintImpl::PositionCache& GeneralConstraintImpl::updPositionCache(const State& state) const {

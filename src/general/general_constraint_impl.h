@@ -35,8 +35,9 @@ public:
         invalidateTopologyCache();
         m_scale = scale;
     }
-    bool isDropped(const SimTK::State& state) const;
-    void setDropped(SimTK::State& state, bool isDropped) const;
+    /// A factor besides the default one; with 0 the equation is 0 = 0.
+    SimTK::Real getStateScale(const SimTK::State& state) const;
+    void setStateScale(SimTK::State& state, SimTK::Real scale) const;
     SimTK::Real calcEquationError(const SimTK::State& state) const;
     std::string findProblem(const SimTK::State& state) const;
     /// [moment, force] in Ground on a marker at its origin.
@@ -90,8 +91,7 @@ private:
     SimTK::Real getBias(const SimTK::State& state) const;
     SimTK::Real calcBias(const SimTK::State& state) const;
     SimTK::Real reduce(SimTK::Real error) const;  // by whole periods
-    // What is dropped is the equation 0 = 0.
-    SimTK::Real getScale(const SimTK::State& state) const { return isDropped(state) ? 0 : m_scale; }
+    SimTK::Real getScale(const SimTK::State& state) const { return getStateScale(state) * m_scale; }
     Taylor<SimTK::Real> calcFunction(const SimTK::State& state) const;
     template <class Index>
     SimTK::Real multiply(const SimTK::State& state, const Motions& motions,
@@ -115,7 +115,7 @@ private:
     mutable SimTK::SubsystemIndex m_subsystem;
     mutable SimTK::CacheEntryIndex m_positionCache;
     mutable SimTK::CacheEntryIndex m_bias;
-    mutable SimTK::DiscreteVariableIndex m_isDropped;
+    mutable SimTK::DiscreteVariableIndex m_stateScale;
 };
 
 }  // namespace jprim

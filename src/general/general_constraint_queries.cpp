@@ -13,13 +13,13 @@ using SimTK::State;
 using SimTK::Value;
 using SimTK::Vec3;
 
-//--------------------------------------------------------------------------------------- dropping
-bool GeneralConstraintImpl::isDropped(const State& state) const {
-    return static_cast<const Value<int>&>(state.getDiscreteVariable(m_subsystem, m_isDropped)).get() != 0;
+//---------------------------------------------------------------------------------- scale and error
+Real GeneralConstraintImpl::getStateScale(const State& state) const {
+    return static_cast<const Value<Real>&>(state.getDiscreteVariable(m_subsystem, m_stateScale)).get();
 }
 
-void GeneralConstraintImpl::setDropped(State& state, bool isDropped) const {
-    static_cast<Value<int>&>(state.updDiscreteVariable(m_subsystem, m_isDropped)).upd() = isDropped;
+void GeneralConstraintImpl::setStateScale(State& state, Real scale) const {
+    static_cast<Value<Real>&>(state.updDiscreteVariable(m_subsystem, m_stateScale)).upd() = scale;
 }
 
 // Simbody knows errors only of equations in use.

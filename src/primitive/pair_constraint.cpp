@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "jprim/base/error.h"
 #include "jprim/marker/load.h"
 #include "primitive/pair_constraint_impl.h"
@@ -81,12 +83,12 @@ Marker PairConstraint::getDefaultMarkerJ() const {
 }
 
 PairConstraint& PairConstraint::setDefaultMarkerI(const Transform& X) {
-    updImpl().setDefaultPlacements({X, getImpl().getDefaultPlacements().J, {}});
+    updImpl().setDefaultPlacements({X, getImpl().getDefaultPlacements().J});
     return *this;
 }
 
 PairConstraint& PairConstraint::setDefaultMarkerJ(const Transform& X) {
-    updImpl().setDefaultPlacements({getImpl().getDefaultPlacements().I, X, {}});
+    updImpl().setDefaultPlacements({getImpl().getDefaultPlacements().I, X});
     return *this;
 }
 
@@ -107,19 +109,29 @@ void PairConstraint::setMarkerJ(State& state, const Transform& X) const {
 }
 
 //---------------------------------------------------------------------------------- single equations
-void PairConstraint::dropEquation(State& state, int k) const {
+void PairConstraint::setEquationScale(State& state, int k, Real scale) const {
     describeEquation(k);
-    getImpl().updPlacements(state).isDropped[size_t(k)] = true;
+    if (!(scale >= 0 && std::isfinite(scale)))
+        throw Error(getDescription(),
+                    fmt::format("{} is no scale of an equation; use a positive number", scale));
+    getImpl().updPlacements(state).scales[size_t(k)] = scale;
+}
+
+Real PairConstraint::getEquationScale(const State& state, int k) const {
+    describeEquation(k);
+    return getImpl().getPlacements(state).scales[size_t(k)];
+}
+
+void PairConstraint::dropEquation(State& state, int k) const {
+    setEquationScale(state, k, 0);
 }
 
 void PairConstraint::restoreEquation(State& state, int k) const {
-    describeEquation(k);
-    getImpl().updPlacements(state).isDropped[size_t(k)] = false;
+    setEquationScale(state, k, 1);
 }
 
 bool PairConstraint::isEquationDropped(const State& state, int k) const {
-    describeEquation(k);
-    return getImpl().getPlacements(state).isDropped[size_t(k)];
+    return getEquationScale(state, k) == 0;
 }
 
 Real PairConstraint::calcEquationError(const State& state, int k) const {

@@ -166,8 +166,7 @@ void PairConstraintImpl::calcPositionCache(const State& state, PositionCache& ca
     const MarkerPair pair(X_AI, X_AJ);
 
     calcDirections(pair, cache.directions);
-    for (size_t k = 0; k < MaxEquations; ++k)
-        if (placements.isDropped[k]) cache.directions[k] = SpatialVec(Vec3(0), Vec3(0));
+    for (size_t k = 0; k < m_equations.size(); ++k) cache.directions[k] *= placements.scales[k];
     std::fill(cache.modalRows.begin(), cache.modalRows.end(), 0);
     Real* modal = cache.modalRows.data();
     for (int k = 0; k < getNumEquations(); ++k) {
@@ -203,8 +202,7 @@ PairConstraintImpl::Errors PairConstraintImpl::calcBodyBias(const State& state) 
                [&](const PairEquations& part, Real* ofPart) { part.calcBias(pair, V_J, ofPart); });
     const Directions& d = getPositionCache(state).directions;
     for (size_t k = 0; k < m_equations.size(); ++k)
-        bias[k] =
-            placements.isDropped[k] ? 0 : bias[k] + SimTK::dot(d[k][0], A_J[0]) + SimTK::dot(d[k][1], A_J[1]);
+        bias[k] = placements.scales[k] * bias[k] + SimTK::dot(d[k][0], A_J[0]) + SimTK::dot(d[k][1], A_J[1]);
     return bias;
 }
 
@@ -240,7 +238,7 @@ void PairConstraintImpl::calcPositionErrors(const State& state,
     calcErrors(MarkerPair(m_I.calcPose(X_AB[m_I.body], placements.I, m_I.findEta(constrainedQ)),
                           m_J.calcPose(X_AB[m_J.body], placements.J, m_J.findEta(constrainedQ))),
                e);
-    for (int k = 0; k < getNumEquations(); ++k) perr[k] = placements.isDropped[size_t(k)] ? 0 : e[size_t(k)];
+    for (int k = 0; k < getNumEquations(); ++k) perr[k] = placements.scales[size_t(k)] * e[size_t(k)];
 }
 
 void PairConstraintImpl::calcPositionDotErrors(const State& state,
@@ -293,7 +291,7 @@ SpatialVec PairConstraintImpl::calcLoadOnI(const State& state, const MarkerPair&
     SpatialVec load(Vec3(0), Vec3(0));
     const Placements& placements = getPlacements(state);
     for (int k = 0; k < getNumEquations(); ++k)
-        if (!placements.isDropped[size_t(k)]) load -= lambda[k] * d[size_t(k)];
+        load -= lambda[k] * placements.scales[size_t(k)] * d[size_t(k)];
     return load;
 }
 

@@ -36,11 +36,16 @@ public:
     void calcErrors(const MarkerPair& pair, Errors& e) const;
 
     /// What a State can change: the markers' poses on what carries them, X_BM of a rigid marker and X_NM of a
-    /// flexible one, and equations switched off.
+    /// flexible one, and the equations' scales.
     struct Placements {
+        Placements() : Placements({}, {}) {}
+        Placements(const SimTK::Transform& X_I, const SimTK::Transform& X_J) : I(X_I), J(X_J) {
+            scales.fill(1);
+        }
+
         SimTK::Transform I;
         SimTK::Transform J;
-        std::array<bool, MaxEquations> isDropped{};  ///< equations that hold nothing
+        std::array<SimTK::Real, MaxEquations> scales;  ///< factors of the equations; with 0 they hold nothing
     };
 
     const char* getAdamsType() const { return m_adamsType; }
@@ -50,7 +55,7 @@ public:
     bool isTranslational(int k) const { return m_equations.at(size_t(k)).isTranslational; }
     /// The name if there is one, and the type: what messages call this element.
     std::string getDescription() const;
-    Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose(), {}}; }
+    Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose()}; }
     void setDefaultPlacements(const Placements& placements);
     const Placements& getPlacements(const SimTK::State& state) const;
     Placements& updPlacements(SimTK::State& state) const;

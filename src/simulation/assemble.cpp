@@ -162,10 +162,13 @@ void assemblePositions(const Mechanism& mechanism, const Aim& aim, State& state)
 // Simbody's optimizer counts an equation that no motion changes as one unknown less. Where there are no others they
 // step aside, if they are satisfied before and after. Returns false if that is not so.
 bool assembleWithoutEmpty(const Mechanism& mechanism, const Aim& aim, State& state) {
+    const auto holdNothing = [](const ConstraintCount& count) {
+        return count.numEquations > 0 && count.rank == 0;
+    };
     if (isViolated(calcViolation(mechanism, state)) ||
         !holdNothing(countFreedoms(mechanism.getMatter(), state)))
         return false;
-    const DroppedEquations dropped(mechanism, state);
+    const DroppedEquations dropped(mechanism, state, DropChoice::Later);
     assemblePositions(mechanism, aim, state);
     dropped.restore(state);
     mechanism.getSystem().realize(state, Stage::Position);

@@ -2,22 +2,43 @@
 #ifndef JPRIM_SRC_SIMULATION_CONSTRAINT_JACOBIAN_H_
 #define JPRIM_SRC_SIMULATION_CONSTRAINT_JACOBIAN_H_
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
 #include "jprim/build/mechanism.h"
 
 namespace jprim {
 
-/// G of the equations that speeds must satisfy, of positions and of velocities: the first `numEquations` of
-/// Simbody's. Requires Stage::Position.
-Eigen::MatrixXd calcConstraintJacobian(const Mechanism& mechanism, const SimTK::State& state,
-                                       Eigen::Index numEquations);
+/// The equations that speeds must satisfy, of positions and of velocities, at a State: G u = b. Entries that are
+/// rounding errors are 0 (see ScaledEquations). Requires Stage::Position.
+class SpeedEquations {
+public:
+    SpeedEquations(const Mechanism& mechanism, const SimTK::State& state);
 
-/// An orthonormal basis of the null space. Rows that depend on others cancel to about the assembly tolerance.
-Eigen::MatrixXd calcNullSpace(const Eigen::MatrixXd& A);
+    const Eigen::MatrixXd& getG() const { return m_G; }
+    /// From errors in the State's scale of equations to those of G; from multipliers of G to those of the State.
+    Eigen::VectorXd unscale(const Eigen::VectorXd& values) const {
+        return m_inverseScales.cwiseProduct(values);
+    }
 
-/// See calcNullSpace().
-constexpr double JacobianRankTolerance = 1e-8;
+private:
+    Eigen::MatrixXd m_G;
+    Eigen::VectorXd m_inverseScales;  // 0 of dropped equations
+};
+
+/// A matrix whose ordinary rows are of size one, and its rank, decided as in the analysis of constraints.
+class RankedRows {
+public:
+    explicit RankedRows(const Eigen::MatrixXd& A);
+
+    /// An orthonormal basis.
+    Eigen::MatrixXd calcNullSpace() const;
+    /// The smallest of the x that come nearest to A x = b.
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+
+private:
+    Eigen::MatrixXd m_Q,
+        m_L;  // A = L ~Q, where Q's first columns span the rows and the others the null space
+};
 
 }  // namespace jprim
 

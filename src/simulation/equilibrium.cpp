@@ -5,7 +5,9 @@
 //
 //     r = ~Z f,    K = -d(~Z (f + ~G lambda))/dz,    (~Z M Z / h + K) dz = r
 //
-// For small h it goes downhill like the motion itself, for large h it is Newton's method. h grows as r falls;
+// Time is no matter, so M is that of parts with the inertia of their mass at the distance of their size besides their
+// own: what hardly resists a turn, as a rod one about itself, then neither rushes ahead nor keeps moving by rounding
+// errors. For small h it goes downhill like the motion itself, for large h it is Newton's method. h grows as r falls;
 // where the matrix is not positive definite, h is too large to go downhill and is made smaller.
 #include "jprim/simulation/equilibrium.h"
 
@@ -89,21 +91,40 @@ private:
 
     void linearize() {
         const VectorXd f = calcForces(m_state);
-        const MatrixXd G = calcConstraintJacobian(m_mechanism, m_state, m_state.getNUErr());
-        m_Z = calcNullSpace(G);
+        const SpeedEquations equations(m_mechanism, m_state);
+        const MatrixXd& G = equations.getG();
+        m_Z = RankedRows(G).calcNullSpace();
         m_r = m_Z.transpose() * f;
         const VectorXd lambda =
-            G.rows() > 0 ? VectorXd(-G.transpose().completeOrthogonalDecomposition().solve(f)) : VectorXd();
+            G.rows() > 0 ? equations.unscale(-G.transpose().completeOrthogonalDecomposition().solve(f))
+                         : VectorXd();
         m_M.resize(m_Z.cols(), m_Z.cols());
         m_K.resize(m_Z.cols(), m_Z.cols());
+        MatrixXd turns(3 * Eigen::Index(m_mechanism.getParts().size()), m_Z.cols());
         for (Eigen::Index k = 0; k < m_Z.cols(); ++k) {
             Vector column;
             m_matter.multiplyByM(m_state, toSimTK(m_Z.col(k)), column);
             m_M.col(k) = m_Z.transpose() * toEigen(column);
+            turns.col(k) = calcTurns(m_Z.col(k));
             const VectorXd change =
                 calcBalance(Difference * m_Z.col(k), lambda) - calcBalance(-Difference * m_Z.col(k), lambda);
             m_K.col(k) = -m_Z.transpose() * change / (2 * Difference);
         }
+        m_M += turns.transpose() * turns;
+    }
+
+    // The angular velocities of all parts at speeds u, times the root of the inertia they are given in the search.
+    VectorXd calcTurns(const VectorXd& u) const {
+        SimTK::Vector_<SimTK::SpatialVec> motions;
+        m_matter.multiplyBySystemJacobian(m_state, toSimTK(u), motions);
+        VectorXd turns = VectorXd::Zero(3 * Eigen::Index(m_mechanism.getParts().size()));
+        Eigen::Index row = 0;
+        for (const MechanismPart& part : m_mechanism.getParts()) {
+            const Real weight = part.ground ? 0 : part.size * std::sqrt(part.body.getBodyMass(m_state));
+            const SimTK::Vec3 turn = weight * motions[part.body.getMobilizedBodyIndex()][0];
+            for (int k = 0; k < 3; ++k) turns[row++] = turn[k];
+        }
+        return turns;
     }
 
     // f + ~G lambda at a position nearby.

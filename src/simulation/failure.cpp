@@ -35,24 +35,30 @@ Real calcUnconstrainedAcceleration(const Mechanism& mechanism, const State& stat
 
 }  // namespace
 
-void checkAccelerations(const Mechanism& mechanism, const State& state) {
-    constexpr Real Lost = 1e-4, Rounding = 1e-9;
+void checkAccelerations(const Mechanism& mechanism, const std::vector<ConstraintEquation>& equations,
+                        const State& state, bool isKinematic) {
+    // Dependent equations go together as well as positions are met: to the integrator's tolerance, or to rounding.
+    const Real lost = isKinematic ? 1e-7 : 1e-4;
+    constexpr Real Rounding = 1e-9;
     // What is there to be lost: accelerations, gravity, and the centripetal ones of a steady turn.
     const Real accelerations = findLargest(state.getUDot()) + mechanism.getGravity().norm() +
                                SimTK::square(findLargest(state.getU()));
     if (!std::isfinite(accelerations + state.getUDot().norm()))
         throw std::runtime_error("accelerations are not finite");
-    const SimTK::Vector& errors = state.getUDotErr();
-    Real tolerance = Lost * accelerations;
-    if (findLargest(errors) <= tolerance) return;
+    const auto findViolated = [&](Real tolerance) {
+        return std::find_if(equations.begin(), equations.end(), [&](const ConstraintEquation& equation) {
+            return std::abs(equation.getError(state.getUDotErr())) > tolerance;
+        });
+    };
+    Real tolerance = lost * accelerations;
+    if (findViolated(tolerance) == equations.end()) return;
     tolerance += Rounding * calcUnconstrainedAcceleration(mechanism, state);
-    if (findLargest(errors) <= tolerance) return;
-    int first = 0;
-    while (std::abs(errors[first]) <= tolerance) ++first;
+    const auto violated = findViolated(tolerance);
+    if (violated == equations.end()) return;
     throw std::runtime_error(
         fmt::format("the accelerations violate {}: it conflicts with other constraints, or masses and "
                     "inertias are too different to solve for",
-                    mechanism.findEquations(state).at(size_t(first)).element));
+                    violated->element));
 }
 
 bool isNearSingular(const Mechanism& mechanism, const State& state) {
@@ -103,7 +109,7 @@ std::string describeLargestError(const Mechanism& mechanism, const State& state)
     for (const ConstraintEquation& equation :
          findEquations(mechanism.getMatter(), state, mechanism.getElementNames())) {
         if (equation.level != EquationLevel::Holonomic) continue;
-        const Real error = std::abs(state.getQErr()[equation.multiplier]);
+        const Real error = std::abs(equation.getError(state.getQErr()));
         if (error <= largest) continue;
         largest = error;
         text = fmt::format("; the largest constraint error is {:.3g} {} at {}",

@@ -10,10 +10,13 @@
 namespace jprim {
 
 /// Simbody solves for the multipliers by least squares and leaves out what it takes for dependent. Redundant
-/// equations are met all the same; where masses differ too much, equations of the heavy ones are lost.
+/// equations are met all the same; where masses differ too much, equations of the heavy ones are lost, and next to a
+/// singular position those that nearly depend on others.
 /// Requires Stage::Acceleration.
+/// @param equations  those in use
 /// @throws std::runtime_error naming the element whose equation the accelerations violate
-void checkAccelerations(const Mechanism& mechanism, const SimTK::State& state);
+void checkAccelerations(const Mechanism& mechanism, const std::vector<ConstraintEquation>& equations,
+                        const SimTK::State& state, bool isKinematic);
 
 /// True if equations nearly depend on each other. Levers of unequal length give values that are not much larger: good
 /// to explain what has gone wrong, not to predict it. Requires Stage::Position.

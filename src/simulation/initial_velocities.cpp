@@ -30,6 +30,8 @@ namespace {
 
 // Given velocities count as admissible if they violate the constraints by no more than rounding.
 constexpr double Admissible = 1e-12;
+// Of given velocities: what depends on others cancels to about the assembly tolerance.
+constexpr double RankTolerance = 1e-8;
 
 struct GivenVelocities {
     Eigen::MatrixXd C;
@@ -115,7 +117,7 @@ Eigen::VectorXd calcErrors(const Mechanism& mechanism, State& state, const Vecto
 
 Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(JacobianRankTolerance);
+    decomposition.setThreshold(RankTolerance);
     return decomposition.compute(A).solve(b);
 }
 
@@ -123,10 +125,11 @@ Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& A, const Eigen::VectorXd& 
 Eigen::VectorXd solve(const Eigen::MatrixXd& GS, const Eigen::VectorXd& b, const Eigen::MatrixXd& CS,
                       const Eigen::VectorXd& c) {
     Eigen::VectorXd p = Eigen::VectorXd::Zero(GS.cols());
-    if (!b.isZero(0)) p = solveLeastNorm(GS, b);
-    const Eigen::MatrixXd Z = calcNullSpace(GS);
+    const RankedRows rows(GS);
+    if (!b.isZero(0)) p = rows.solve(b);
+    const Eigen::MatrixXd Z = rows.calcNullSpace();
     const Eigen::MatrixXd CSZ = CS * Z;
-    if (Z.cols() == 0 || CSZ.norm() < JacobianRankTolerance) return p;
+    if (Z.cols() == 0 || CSZ.norm() < RankTolerance) return p;
     return p + Z * solveLeastNorm(CSZ, c - CS * p);
 }
 
@@ -217,8 +220,8 @@ Vector calcInitialVelocities(const Mechanism& mechanism, const State& positions)
     const Eigen::VectorXd b = -calcErrors(mechanism, state, Vector(state.getNU(), Real(0)));
     const GivenVelocities given = Collector(mechanism, state).finish();
     const Eigen::MatrixXd S = calcS(mechanism, state);
-    const Eigen::VectorXd u =
-        S * solve(calcConstraintJacobian(mechanism, state, b.size()) * S, b, given.C * S, given.c);
+    const SpeedEquations equations(mechanism, state);
+    const Eigen::VectorXd u = S * solve(equations.getG() * S, equations.unscale(b), given.C * S, given.c);
     return Vector(int(u.size()), u.data());
 }
 

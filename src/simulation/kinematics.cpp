@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "jprim/base/error.h"
+#include "simulation/equation_access.h"
 #include "simulation/projection.h"
 #include "simulation/stepper.h"
 
@@ -26,7 +27,7 @@ class Kinematics : public Stepper {
 public:
     Kinematics(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
         : m_mechanism(mechanism), m_state(initial), m_tolerance(options.getConstraintTolerance()) {
-        mechanism.getSystem().realize(m_state, Stage::Acceleration);
+        finish(m_state);
     }
 
     const State& getState() const override { return m_state; }
@@ -41,7 +42,7 @@ public:
             if (!tryStep(h, next)) continue;
             next.autoUpdateDiscreteVariables();
             m_state = next;
-            m_mechanism.getSystem().realize(m_state, Stage::Acceleration);
+            finish(m_state);
             ++m_numSteps;
             return;
         }
@@ -76,6 +77,12 @@ private:
         system.realize(state, Stage::Position);
         system.projectQ(state, noErrors, SimTK::ProjectOptions(m_tolerance), results);
         projectAtLeastOnce(system, state, m_tolerance);
+    }
+
+    void finish(State& state) const {
+        m_mechanism.getSystem().realize(state, Stage::Position);
+        setEquationScalesHere(m_mechanism, state);
+        m_mechanism.getSystem().realize(state, Stage::Acceleration);
     }
 
     const Mechanism& m_mechanism;

@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "analysis/scaled_equations.h"
 
 namespace jprim {
 
@@ -12,50 +17,65 @@ using SimTK::Constraint;
 using SimTK::Real;
 using SimTK::State;
 
-DroppedEquations::Dropped DroppedEquations::drop(const PairConstraint& constraint,
-                                                 const ConstraintEquation& equation, State& state) {
-    const int k = equation.number;
-    constraint.dropEquation(state, k);
-    return {equation, false, [constraint, k](const State& s) { return constraint.calcEquationError(s, k); },
-            [constraint, k](State& s) { constraint.restoreEquation(s, k); }};
+namespace {
+
+std::vector<int> selectRedundant(const ConstraintReport& report, DropChoice choice) {
+    std::vector<int> selected;
+    for (const RedundantEquation& redundant : report.redundant)
+        if (!redundant.onlyHere && (choice == DropChoice::Later || redundant.dependsOn.empty()))
+            selected.push_back(redundant.equation);
+    return selected;
 }
 
-DroppedEquations::Dropped DroppedEquations::drop(const GeneralConstraint& constraint,
-                                                 const ConstraintEquation& equation, State& state) {
-    constraint.dropEquation(state);
-    return {equation, false, [constraint](const State& s) { return constraint.calcEquationError(s); },
-            [constraint](State& s) { constraint.restoreEquation(s); }};
+// The last ones of an elimination that always takes next what is most independent of those before.
+std::vector<int> selectWeakest(const Mechanism& mechanism, const State& state,
+                               const ConstraintReport& report) {
+    const Eigen::MatrixXd A =
+        ScaledEquations(mechanism.getMatter(), report.equations, state).calcJacobian(state);
+    const Eigen::VectorXi order =
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(A.transpose()).colsPermutation().indices();
+    const auto count = Eigen::Index(selectRedundant(report, DropChoice::Later).size());
+    std::vector<int> selected(order.end() - count, order.end());
+    std::sort(selected.begin(), selected.end());
+    return selected;
 }
 
-DroppedEquations::Dropped DroppedEquations::drop(const Mechanism& mechanism,
-                                                 const ConstraintEquation& equation, State& state) {
-    const auto isIts = [&](const Constraint& c) { return c.getConstraintIndex() == equation.constraint; };
-    for (const Connection& connection : mechanism.getConnections()) {
-        if (!connection.joint || !isIts(connection.joint->getConstraint())) continue;
-        if (const PairConstraint* pair = connection.joint->getPairConstraint())
-            return drop(*pair, equation, state);
-        return drop(*connection.joint->getGeneralConstraint(), equation, state);
-    }
-    for (const Equation& element : mechanism.getEquations())
-        if (isIts(element.constraint)) return drop(element.constraint, equation, state);
-    throw std::logic_error(equation.getText() + " is of no element");
-}
+}  // namespace
 
-DroppedEquations::DroppedEquations(const Mechanism& mechanism, State& state)
-    : m_lengthUnit(mechanism.getUnits().length) {
+DroppedEquations::DroppedEquations(const Mechanism& mechanism, State& state, DropChoice choice)
+    : m_mechanism(mechanism) {
     const ConstraintReport report =
         analyzeConstraints(mechanism.getMatter(), state, mechanism.getElementNames());
-    for (const RedundantEquation& redundant : report.redundant) {
-        if (redundant.onlyHere) continue;
-        m_dropped.push_back(drop(mechanism, report.equations[size_t(redundant.equation)], state));
-        m_dropped.back().isEmpty = redundant.dependsOn.empty();
+    const std::vector<int> empty = selectRedundant(report, DropChoice::Empty);
+    for (const int k : choice == DropChoice::Weakest ? selectWeakest(mechanism, state, report)
+                                                     : selectRedundant(report, choice)) {
+        const ConstraintEquation& equation = report.equations[size_t(k)];
+        m_dropped.push_back({equation, std::count(empty.begin(), empty.end(), k) > 0, {mechanism, equation}});
+        m_dropped.back().access.setScale(state, 0);
     }
+    mechanism.getSystem().realize(state, SimTK::Stage::Position);
+    m_strength = calcStrength(state);
     if (m_dropped.size() < report.equations.size()) return;
     for (const Dropped& dropped : m_dropped) {
         const Constraint& constraint = mechanism.getMatter().getConstraint(dropped.equation.constraint);
         constraint.disable(state);
         m_disabled.push_back(constraint);
     }
+}
+
+// The smallest singular value of the equations kept.
+Real DroppedEquations::calcStrength(const State& state) const {
+    std::vector<ConstraintEquation> kept = m_mechanism.findEquations(state);
+    const auto isDropped = [](const ConstraintEquation& equation) { return equation.scale == 0; };
+    kept.erase(std::remove_if(kept.begin(), kept.end(), isDropped), kept.end());
+    if (kept.empty()) return 1;
+    const Eigen::MatrixXd A = ScaledEquations(m_mechanism.getMatter(), kept, state).calcJacobian(state);
+    return A.rows() > A.cols() ? 0 : Eigen::BDCSVD<Eigen::MatrixXd>(A).singularValues()[A.rows() - 1];
+}
+
+bool DroppedEquations::isWeak(const State& state) const {
+    constexpr Real ByFar = 0.1;
+    return !m_dropped.empty() && calcStrength(state) < ByFar * m_strength;
 }
 
 std::vector<std::string> DroppedEquations::getTexts() const {
@@ -70,20 +90,20 @@ std::string DroppedEquations::describeViolation(const Dropped& dropped, Real err
     return fmt::format(
         "{}, which was dropped because {}, is violated by {:.3g} {}{}: {}", dropped.equation.getText(),
         dropped.isEmpty ? "no motion changed it" : "it followed from other equations",
-        isLength ? std::abs(error) / m_lengthUnit : std::abs(error), isLength ? "length units" : "rad",
-        PerTime[int(dropped.equation.level)],
+        isLength ? std::abs(error) / m_mechanism.getUnits().length : std::abs(error),
+        isLength ? "length units" : "rad", PerTime[int(dropped.equation.level)],
         dropped.isEmpty ? "by itself it cannot hold what it says" : "it is in conflict with them now");
 }
 
 void DroppedEquations::check(const State& state, Real tolerance) const {
     for (const Dropped& dropped : m_dropped) {
-        const Real error = dropped.calcError(state);
+        const Real error = dropped.access.calcError(state);
         if (std::abs(error) > tolerance) throw std::runtime_error(describeViolation(dropped, error));
     }
 }
 
 void DroppedEquations::restore(State& state) const {
-    for (const Dropped& dropped : m_dropped) dropped.restore(state);
+    for (const Dropped& dropped : m_dropped) dropped.access.setScale(state, 1);
     for (const Constraint& constraint : m_disabled) constraint.enable(state);
 }
 

@@ -2,28 +2,30 @@
 #ifndef JPRIM_SRC_SIMULATION_REDUNDANCY_H_
 #define JPRIM_SRC_SIMULATION_REDUNDANCY_H_
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/build/mechanism.h"
+#include "simulation/equation_access.h"
 
 namespace jprim {
 
-/// True if there are equations and no motion changes any of them.
-inline bool holdNothing(const ConstraintCount& count) {
-    return count.numEquations > 0 && count.rank == 0;
-}
+/// Which of the redundant equations a run does without. Empty: those that no motion changes. Later: of equations that
+/// say the same the later. Weakest: as many, such that those that stay are as independent of each other as can be.
+enum class DropChoice { Empty, Later, Weakest };
 
-/// The redundant equations of a mechanism, switched off as Adams does, and watched: they must go on being
-/// satisfied by what the others hold.
+/// Redundant equations of a mechanism, switched off as Adams does, and watched: they must go on being satisfied by what
+/// the others hold.
 class DroppedEquations {
 public:
-    /// Drops the later ones of equations that depend on each other in the State, realized to Stage::Position,
-    /// and nearby; those that depend only there stay. Where none is left the constraints are disabled: Simbody
-    /// cannot solve for multipliers that do nothing.
-    DroppedEquations(const Mechanism& mechanism, SimTK::State& state);
+    /// Drops equations that depend on others in the State, realized to Stage::Position, and nearby; those that depend
+    /// only there stay. Where none is left the constraints are disabled: Simbody cannot solve for multipliers that do
+    /// nothing.
+    DroppedEquations(const Mechanism& mechanism, SimTK::State& state, DropChoice choice);
+
+    /// True if what is kept is by far nearer to dependent than when it was chosen. Requires Stage::Position.
+    bool isWeak(const SimTK::State& state) const;
 
     /// In words: "JOINT/4 TRANSLATIONAL: translation of I along Yj".
     std::vector<std::string> getTexts() const;
@@ -40,17 +42,13 @@ private:
     struct Dropped {
         ConstraintEquation equation;
         bool isEmpty = false;  // no motion changes it
-        std::function<SimTK::Real(const SimTK::State&)> calcError;
-        std::function<void(SimTK::State&)> restore;
+        EquationAccess access;
     };
-    static Dropped drop(const PairConstraint& constraint, const ConstraintEquation& equation,
-                        SimTK::State& state);
-    static Dropped drop(const GeneralConstraint& constraint, const ConstraintEquation& equation,
-                        SimTK::State& state);
-    static Dropped drop(const Mechanism& mechanism, const ConstraintEquation& equation, SimTK::State& state);
+    SimTK::Real calcStrength(const SimTK::State& state) const;
     std::string describeViolation(const Dropped& dropped, SimTK::Real error) const;
 
-    SimTK::Real m_lengthUnit;  // of the dataset
+    const Mechanism& m_mechanism;
+    SimTK::Real m_strength = 0;  // smallest singular value of what is kept
     std::vector<Dropped> m_dropped;
     std::vector<SimTK::Constraint> m_disabled;
 };

@@ -12,7 +12,9 @@
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/error.h"
 #include "simulation/energy_watch.h"
+#include "simulation/equation_access.h"
 #include "simulation/failure.h"
+#include "simulation/reaction_watch.h"
 #include "simulation/recorder.h"
 #include "simulation/redundancy.h"
 #include "simulation/sensor_watch.h"
@@ -67,6 +69,7 @@ public:
           m_options(options),
           m_recorder(mechanism),
           m_energy(mechanism, options.accuracy, m_outcome.summary),
+          m_reactions(mechanism),
           m_watch(mechanism, [this](const State& state) { return makeStepperFrom(state); }) {}
 
     SimulationOutcome run(const State& initial) {
@@ -89,6 +92,7 @@ public:
         }
         m_outcome.results = std::move(m_recorder.updResults());
         m_outcome.finalState = m_stepper->getState();
+        resetEquationScales(m_mechanism, m_outcome.finalState);
         if (m_dropped) m_dropped->restore(m_outcome.finalState);
         m_outcome.summary.stepsTaken = m_numSteps + (m_firing ? 1 : 0);
         m_outcome.summary.wallSeconds =
@@ -104,12 +108,39 @@ private:
         summary.degreesOfFreedom = count.getDegreesOfFreedom();
         summary.redundantEquations = count.getNumRedundant();
         summary.isKinematic = isKinematic(m_mechanism, state, summary.degreesOfFreedom, m_options.kind);
-        if (m_options.redundancy == Redundancy::Drop || holdNothing(count)) {
-            m_dropped.emplace(m_mechanism, state);
-            summary.droppedEquations = m_dropped->getTexts();
-            m_mechanism.getSystem().realize(state, Stage::Velocity);
-        }
+        if (m_options.redundancy == Redundancy::Drop)
+            drop(DropChoice::Later, state);
+        else if (count.hasOnlyEmptyHolonomic)
+            drop(DropChoice::Empty, state);
+        if (m_dropped) summary.droppedEquations = m_dropped->getTexts();
+        scale(state);
+    }
+
+    void scale(State& state) {
+        setEquationScales(m_mechanism, state);
+        m_mechanism.getSystem().realize(state, Stage::Velocity);
         m_equations = m_mechanism.findEquations(state);
+    }
+
+    void drop(DropChoice choice, State& state) {
+        m_dropped.emplace(m_mechanism, state, choice);
+        m_mechanism.getSystem().realize(state, Stage::Velocity);
+    }
+
+    // What is kept may become dependent where all equations together are not, as those of a Bennett linkage do.
+    void keepDroppedApart() {
+        if (m_options.redundancy != Redundancy::Drop || !m_dropped->isWeak(m_stepper->getState())) return;
+        State state = m_stepper->getState();
+        const std::vector<std::string> before = m_dropped->getTexts();
+        m_dropped->restore(state);
+        m_mechanism.getSystem().realize(state, Stage::Velocity);
+        drop(DropChoice::Weakest, state);
+        if (m_dropped->getTexts() == before) return;
+        m_outcome.summary.droppedAnew.push_back(
+            {state.getTime() / m_mechanism.getUnits().time, m_dropped->getTexts()});
+        scale(state);
+        m_numStepsBefore += m_stepper->getNumSteps();
+        m_stepper = makeStepperFrom(state);
     }
 
     std::unique_ptr<Stepper> makeStepperFrom(const State& state) const {
@@ -124,7 +155,8 @@ private:
                 m_stepper->step(time);
             else
                 m_firing = m_watch.step(m_stepper, time);
-            if (!m_firing) m_numSteps = m_stepper->getNumSteps();
+            if (!m_firing) m_numSteps = m_numStepsBefore + m_stepper->getNumSteps();
+            keepDroppedApart();
             if (m_stepper->getState().getTime() < time) watchEnergy();
         }
         if (!m_firing) return;
@@ -145,9 +177,12 @@ private:
         const State& state = m_stepper->getState();
         m_mechanism.getSystem().realize(state, Stage::Acceleration);
         watchEnergy();
+        if (m_outcome.summary.isKinematic)
+            m_equations = m_mechanism.findEquations(state);  // their scales change
         const Violation violation = calcViolation(m_equations, state);
         checkPositions(state, violation);
-        checkAccelerations(m_mechanism, state);
+        checkAccelerations(m_mechanism, m_equations, state, m_outcome.summary.isKinematic);
+        m_reactions.check(state);
         m_recorder.record(state);
         keepWorst(m_outcome.summary.worstViolation, violation);
     }
@@ -168,9 +203,11 @@ private:
     SimulationOutcome m_outcome;
     Recorder m_recorder;
     EnergyWatch m_energy;
+    ReactionWatch m_reactions;
     SensorWatch m_watch;
     std::unique_ptr<Stepper> m_stepper;
-    int m_numSteps = 0;  // before the one that a sensor ended
+    int m_numSteps = 0;        // before the one that a sensor ended
+    int m_numStepsBefore = 0;  // of steppers before this one
     const MechanismSensor* m_firing = nullptr;
 };
 

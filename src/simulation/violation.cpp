@@ -22,7 +22,7 @@ Violation calcViolation(const std::vector<ConstraintEquation>& equations, const 
     Violation violation;
     for (const ConstraintEquation& equation : equations) {
         if (equation.level != EquationLevel::Holonomic) break;
-        const Real error = std::abs(errors[equation.multiplier]);
+        const Real error = std::abs(equation.getError(errors));
         if (error > std::max(violation.length, violation.angle)) violation.element = equation.element;
         Real& worst = equation.isLength ? violation.length : violation.angle;
         worst = std::max(worst, error);

@@ -21,6 +21,8 @@ void printSummary(const Model& model, const SimulationSummary& s) {
     if (s.redundantEquations > 0) fmt::print("redundant equations      {}\n", s.redundantEquations);
     for (const std::string& equation : s.droppedEquations)
         fmt::print("dropped                  {}\n", equation);
+    for (const DroppedAnew& anew : s.droppedAnew)
+        fmt::print("dropped from {:<11.6g} {}\n", anew.time, fmt::join(anew.equations, "; "));
     fmt::print("worst constraint error   {:.3g} {}, {:.3g} rad{}\n", s.worstViolation.length / units.length,
                getLengthName(model.dataset), s.worstViolation.angle,
                s.worstViolation.element.empty() ? "" : fmt::format(" (at {})", s.worstViolation.element));

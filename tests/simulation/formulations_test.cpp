@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jprim/analysis/constraint_report.h"
+#include "support/determined.h"
 #include "support/random_dataset.h"
 #include "support/run_dataset.h"
 
@@ -45,19 +45,6 @@ double findDifference(const Table& a, const Table& b) {
     return largest / findLargest(a.values);
 }
 
-// Without redundant equations, whose loads nothing but the formulation decides; not near a position where some become
-// so, which no integration could follow, nor thrown into one by given velocities that hardly fit.
-bool isDetermined(const std::string& text) {
-    constexpr double Near = 0.1, Violent = 50;  // a scaled singular value; J
-    const Mechanism mechanism = testing::buildOrFail(text, {Formulation::Constraints});
-    const SimTK::State given = mechanism.makeGivenState();
-    mechanism.getSystem().realize(given, SimTK::Stage::Position);
-    const ConstraintCount count = countFreedoms(mechanism.getMatter(), given);
-    if (count.getNumRedundant() > 0 || count.getDegreesOfFreedom() == 0 || count.smallestKept < Near)
-        return false;
-    return mechanism.calcKineticEnergy(assemble(mechanism).state) < Violent;
-}
-
 class Formulations : public ::testing::TestWithParam<int> {};
 
 TEST_P(Formulations, AgreeOnRandomMechanisms) {
@@ -66,7 +53,7 @@ TEST_P(Formulations, AgreeOnRandomMechanisms) {
     for (int k = 0; compared < PerGroup && k < 10 * PerGroup; ++k) {
         const unsigned seed = unsigned(1000 * GetParam() + k);
         const std::string text = testing::RandomDataset(seed).write(1 + k % 4, k % 3);
-        if (!isDetermined(text)) continue;
+        if (!testing::isDetermined(text)) continue;
         ++compared;
         const Results tree = runFormulation(text, Formulation::Tree);
         const Results constraints = runFormulation(text, Formulation::Constraints);

@@ -64,7 +64,7 @@ TEST(Redundancy, ADroppedEquationThatIsViolatedIsNamed) {
     const Mechanism mechanism = buildOrFail(Door);
     State state = assemble(mechanism).state;
     mechanism.getSystem().realize(state, Stage::Position);
-    const DroppedEquations dropped(mechanism, state);
+    const DroppedEquations dropped(mechanism, state, DropChoice::Later);
     mechanism.getSystem().realize(state, Stage::Position);
     dropped.check(state, 1e-9);  // nothing is violated yet
     const MechanismPart& door = mechanism.getParts()[1];

@@ -76,12 +76,15 @@ void RandomDataset::addJoint(const Joint& joint, int partI, int partJ) {
     const Transform X_PJ(drawRotation(), 0.7 * drawVec3());
     const Transform X_GI = m_poses[size_t(partJ) - 1] * X_PJ * drawFit(joint);
     const int j = addMarker(partJ, X_PJ), i = addMarker(partI, ~m_poses[size_t(partI) - 1] * X_GI);
-    if (joint.name && (joint.jprims.empty() || choose(2) == 0)) {
+    if (joint.name && (m_isDoubling || joint.jprims.empty() || choose(2) == 0)) {
         m_text += fmt::format("JOINT/{},{},I={},J={}\n", ++m_lastElement, joint.name, i, j);
         const std::string type = joint.name;
         if (choose(4) == 0 && (type == "REVOLUTE" || type == "TRANSLATIONAL"))
             m_text += fmt::format("MOTION/{0},JOINT={0},VELOCITY,FUNCTION={1}+SIN(TIME)\n", m_lastElement,
                                   draw(-1, 1));
+        if (m_isDoubling)
+            for (int k = choose(3); k > 0; --k)
+                addDouble(joint, partI, partJ, X_GI, m_poses[size_t(partJ) - 1] * X_PJ);
         return;
     }
     bool isFirst = true;
@@ -91,6 +94,26 @@ void RandomDataset::addJoint(const Joint& joint, int partI, int partJ) {
             fmt::format("JPRIM/{},{},I={},J={}\n", ++m_lastElement, jprim, swapped ? j : i, swapped ? i : j);
         isFirst = false;
     }
+}
+
+// Where the joint leaves both markers free to go together, its equations are met at any place: X_GI D and X_GJ D.
+void RandomDataset::addDouble(const Joint& joint, int partI, int partJ, const Transform& X_GI,
+                              const Transform& X_GJ) {
+    const std::map<std::string, Vec3> shifts = {{"REVOLUTE", Vec3(0, 0, 1)},
+                                                {"CYLINDRICAL", Vec3(0, 0, 1)},
+                                                {"TRANSLATIONAL", Vec3(1)},
+                                                {"PLANAR", Vec3(1, 1, 0)},
+                                                {"FIXED", Vec3(1)}};
+    const auto shift = shifts.find(joint.name);
+    if (shift == shifts.end()) return;
+    const Rotation turn = shift->first == "FIXED" ? drawRotation() : Rotation(draw(-3, 3), SimTK::ZAxis);
+    const Transform D(turn, drawVec3().elementwiseMultiply(shift->second));
+    const int doubled = m_lastElement;
+    const int j = addMarker(partJ, ~m_poses[size_t(partJ) - 1] * X_GJ * D);
+    const int i = addMarker(partI, ~m_poses[size_t(partI) - 1] * X_GI * D);
+    const int id = 1000 * doubled + int(m_doubles[doubled].size()) + 1;
+    m_doubles[doubled].push_back(id);
+    m_doublesText += fmt::format("JOINT/{},{},I={},J={}\n", id, joint.name, i, j);
 }
 
 // Two points stay as far apart as they are.
@@ -120,6 +143,19 @@ void RandomDataset::addForces() {
 }
 
 std::string RandomDataset::write(int parts, int loops) {
+    writeMechanism(parts, loops);
+    addRequests();
+    if (choose(2) == 0) addForces();
+    return m_text + "END\n";
+}
+
+DoubledDataset RandomDataset::writeDoubled(int parts, int loops) {
+    m_isDoubling = true;
+    writeMechanism(parts, loops);
+    return {m_text + "END\n", m_text + m_doublesText + "END\n", m_doubles};
+}
+
+void RandomDataset::writeMechanism(int parts, int loops) {
     using Turn = Joint::Turn;
     const Vec3 none(0), alongZ(0, 0, 1), inXy(1, 1, 0), all(1);
     const Joint joints[] = {{"FIXED", {"ATPOINT", "ORIENTATION"}, Turn::None, none},
@@ -159,9 +195,6 @@ std::string RandomDataset::write(int parts, int loops) {
         else
             addDistance(a, b);
     }
-    addRequests();
-    if (choose(2) == 0) addForces();
-    return m_text + "END\n";
 }
 
 }  // namespace jprim::testing

@@ -2,6 +2,7 @@
 #ifndef JPRIM_TESTS_SUPPORT_RANDOM_DATASET_H_
 #define JPRIM_TESTS_SUPPORT_RANDOM_DATASET_H_
 
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -9,6 +10,12 @@
 #include "SimTKcommon.h"
 
 namespace jprim::testing {
+
+/// A dataset twice: with single joints, and with some of them held by more of the same kind. Both have the markers.
+struct DoubledDataset {
+    std::string single, doubled;
+    std::map<int, std::vector<int>> doubles;  // JOINT ids: each one's doubles
+};
 
 /// Writes datasets of parts that are joined at random: first a tree of joints, then joints that close loops. Parts
 /// lie anywhere in any orientation; the markers of a joint are placed so that it fits. In SI, sizes of order 1.
@@ -19,6 +26,9 @@ public:
     /// @param parts  besides ground
     /// @param loops  joints more than a tree needs
     std::string write(int parts, int loops);
+    /// The same without REQUESTs, with joints that are doubled along what they leave free: hinges along their axis,
+    /// sliders and fixed joints anywhere.
+    DoubledDataset writeDoubled(int parts, int loops);
 
 private:
     struct Joint;
@@ -29,9 +39,12 @@ private:
     SimTK::Rotation drawRotation();
     SimTK::Transform drawPose() { return SimTK::Transform(drawRotation(), drawVec3()); }
 
+    void writeMechanism(int parts, int loops);
     void addPart();
     int addMarker(int part, const SimTK::Transform& X_PM);
     void addJoint(const Joint& joint, int partI, int partJ);
+    void addDouble(const Joint& joint, int partI, int partJ, const SimTK::Transform& X_GI,
+                   const SimTK::Transform& X_GJ);
     SimTK::Transform drawFit(const Joint& joint);
     void addDistance(int partI, int partJ);
     void addForces();
@@ -39,6 +52,9 @@ private:
 
     std::mt19937 m_random;
     std::string m_text;
+    std::string m_doublesText;
+    std::map<int, std::vector<int>> m_doubles;
+    bool m_isDoubling = false;
     std::vector<SimTK::Transform> m_poses;  // of the parts, ground first
     std::vector<int> m_centers;             // CM markers
     int m_lastMarker = 0, m_lastElement = 0;

@@ -28,7 +28,12 @@ struct ConstraintEquation {
     int number = 0;                     ///< its place among that constraint's equations, from 0
     int multiplier = 0;                 ///< its row in G and place among the multipliers
     bool isLength = false;              ///< its error counts as a length, otherwise as an angle
+    SimTK::Real scale = 1;              ///< the factor in the State, see PairConstraint::setEquationScale()
 
+    /// Its error in its own unit, from all errors of one kind as Simbody numbers them; 0 if it is dropped.
+    SimTK::Real getError(const SimTK::Vector& errors) const {
+        return scale > 0 ? errors[multiplier] / scale : 0;
+    }
     /// "JOINT/3 REVOLUTE: translation of I along Xj".
     std::string getText() const { return element + ": " + words; }
 };

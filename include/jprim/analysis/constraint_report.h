@@ -12,10 +12,12 @@
 /// the position. Questions to any Simbody system; nothing is changed or removed.
 ///
 /// Freedoms are counted by the rank of G, the Jacobian of all equations in use with respect to the speeds u:
-/// position, speed and acceleration equations alike. G is first scaled by the mechanism's length and such
-/// that all columns are equally long, which takes out all units. Among the singular values of the result, the rank is where the ratio of one to
-/// the next is largest; there is no tolerance to choose. (Values above 10^-4 always count, and those below
-/// 10^-14 are zero.) Mobilities with prescribed motion count as free.
+/// position, speed and acceleration equations alike. G is first scaled by the mechanism's length, and each column by
+/// what its speed does to the bodies that the equations hold, before these powers are added up: that takes out all
+/// units, and equations that a tree of joints leaves nothing to do are as small as they are. Among the singular values
+/// of the result, the rank is where the ratio of one to the next is largest, with 1 above the first; there is no
+/// tolerance to choose. (Values above 10^-4 always count, those below 10^-14 are zero, and one that stands alone counts
+/// above 10^-7.) Mobilities with prescribed motion count as free.
 ///
 /// A State that satisfies its position equations to within 10^-3, but not to rounding, is first brought there
 /// (a copy of it), so that a loose assembly does not make dependent equations look independent.
@@ -31,6 +33,10 @@ struct ConstraintCount {
     /// not the largest. A wide gap is a sure decision; 0 if there are none.
     SimTK::Real smallestKept = 0;
     SimTK::Real largestDropped = 0;
+
+    /// There are holonomic equations, and no motion changes any of them here. Solvers for corrections of positions then
+    /// have nothing to solve for.
+    bool hasOnlyEmptyHolonomic = false;
 
     /// Grübler's count: what would be free if all equations were independent. May be negative.
     int getGrueblerCount() const { return numMobilities - numEquations; }

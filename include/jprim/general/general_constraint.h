@@ -51,7 +51,11 @@ public:
     void dropEquation(SimTK::State& state) const;
     void restoreEquation(SimTK::State& state) const;
     bool isEquationDropped(const SimTK::State& state) const;
-    /// The scaled error, also of a dropped equation. Requires the stage that the equation is about:
+    /// As PairConstraint::setEquationScale(): a factor in a State, besides the default one.
+    /// @throws Error if it is negative or not finite
+    void setEquationScale(SimTK::State& state, SimTK::Real scale) const;
+    SimTK::Real getEquationScale(const SimTK::State& state) const;
+    /// The error in the default scale, also of a dropped equation. Requires the stage that the equation is about:
     /// Stage::Position of a holonomic one.
     SimTK::Real calcEquationError(const SimTK::State& state) const;
     ///@}

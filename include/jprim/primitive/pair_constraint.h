@@ -68,6 +68,13 @@ public:
     void dropEquation(SimTK::State& state, int k) const;
     void restoreEquation(SimTK::State& state, int k) const;
     bool isEquationDropped(const SimTK::State& state, int k) const;
+    /// A factor of the equation's error, rate and acceleration as Simbody gets them (getQErr() and so on), by default
+    /// 1; its multiplier is divided by it. Motion and reactions stay as they are, but Simbody tells dependent equations
+    /// by the size of all in use: scaled by the root of the mass that an equation moves they are of one size. 0 drops
+    /// the equation, and restoring it sets 1. Needs Stage::Topology and changes Stage::Position.
+    /// @throws Error also if the scale is negative or not finite
+    void setEquationScale(SimTK::State& state, int k, SimTK::Real scale) const;
+    SimTK::Real getEquationScale(const SimTK::State& state, int k) const;
     /// The error e_k [length or rad], also of a dropped equation. Requires Stage::Position.
     SimTK::Real calcEquationError(const SimTK::State& state, int k) const;
     ///@}

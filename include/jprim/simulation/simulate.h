@@ -17,7 +17,8 @@ namespace jprim {
 enum class SimulationKind { Automatic, Dynamics, Kinematics, Statics };
 
 /// What becomes of equations that follow from others. Share: they stay, and Simbody's least-norm multipliers
-/// spread the load over all of them. Drop: as in Adams the later ones are switched off and carry nothing.
+/// spread the load over all of them; only where no motion changes any of positions, these are dropped. Drop: as in Adams the
+/// later ones are switched off and carry nothing; where those that are kept become dependent, others are chosen.
 enum class Redundancy { Share, Drop };
 
 struct SimulationOptions {
@@ -42,11 +43,18 @@ struct SimulationOptions {
 /// The integrators of Simbody that can be named.
 std::vector<std::string> getIntegratorNames();
 
+/// Other equations than before, from a moment on at which those that were kept became nearly dependent.
+struct DroppedAnew {
+    double time = 0;                     ///< in the dataset's unit
+    std::vector<std::string> equations;  ///< in words
+};
+
 /// How a simulation went, in the mechanism's units.
 struct SimulationSummary {
     int degreesOfFreedom = 0;                   ///< at the start
     int redundantEquations = 0;                 ///< at the start
-    std::vector<std::string> droppedEquations;  ///< in words, with Redundancy::Drop
+    std::vector<std::string> droppedEquations;  ///< in words, at the start
+    std::vector<DroppedAnew> droppedAnew;       ///< with Redundancy::Drop
     Violation worstViolation;                   ///< over all recorded times
     double energyAtStart = 0;
     double energyAtEnd = 0;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/equation_access.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::State;
+using SimTK::Vec3;
+
+EquationAccess::EquationAccess(const Mechanism& mechanism, const ConstraintEquation& equation)
+    : m_number(equation.number) {
+    const auto isIts = [&](const SimTK::Constraint& c) {
+        return c.getConstraintIndex() == equation.constraint;
+    };
+    for (const Connection& connection : mechanism.getConnections()) {
+        if (!connection.joint || !isIts(connection.joint->getConstraint())) continue;
+        if (const PairConstraint* pair = connection.joint->getPairConstraint())
+            m_pair = *pair;
+        else
+            m_general = *connection.joint->getGeneralConstraint();
+        return;
+    }
+    for (const Equation& element : mechanism.getEquations())
+        if (isIts(element.constraint)) m_general = element.constraint;
+    if (!m_general) throw std::logic_error(equation.getText() + " is of no element");
+}
+
+void EquationAccess::setScale(State& state, Real scale) const {
+    m_pair ? m_pair->setEquationScale(state, m_number, scale) : m_general->setEquationScale(state, scale);
+}
+
+Real EquationAccess::calcError(const State& state) const {
+    return m_pair ? m_pair->calcEquationError(state, m_number) : m_general->calcEquationError(state);
+}
+
+namespace {
+
+// What a load does to bodies and mobilities as if they hung on nothing: the acceleration along it.
+Real calcFreeResponse(const SimTK::SimbodyMatterSubsystem& matter, const State& state,
+                      const SimTK::Vector_<SimTK::SpatialVec>& onBodies, const SimTK::Vector& onMobilities) {
+    Real response = 0;
+    for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b) {
+        const SimTK::MobilizedBody& body = matter.getMobilizedBody(b);
+        const SimTK::MassProperties& mass = body.getBodyMassProperties(state);
+        const SimTK::Rotation& R_GB = body.getBodyRotation(state);
+        const SimTK::SpatialVec F = SimTK::shiftForceBy(onBodies[b], R_GB * mass.getMassCenter());
+        if (mass.getMass() > 0) response += F[1].normSqr() / mass.getMass();
+        const Vec3 moment = ~R_GB * F[0];
+        const Real turning = ~moment * (mass.calcCentralInertia().toMat33() * moment);
+        if (turning > 0) response += SimTK::square(moment.normSqr()) / turning;
+        for (SimTK::MobilizerUIndex k(0); k < body.getNumU(state); ++k) {
+            const Real f = onMobilities[body.getFirstUIndex(state) + k];
+            if (f == 0) continue;
+            const SimTK::SpatialVec H = body.getHCol(state, k);
+            const Real inertia = ~H * (body.getBodySpatialInertiaInGround(state) * H);
+            if (inertia > 0) response += f * f / inertia;
+        }
+    }
+    return response;
+}
+
+// Simbody weighs an error by the weight of its equation before it holds it against a tolerance.
+void weighErrors(const Mechanism& mechanism, State& state) {
+    mechanism.getSystem().realize(state, SimTK::Stage::Instance);
+    for (const ConstraintEquation& equation : mechanism.findEquations(state)) {
+        if (equation.scale == 0 || equation.level == EquationLevel::Acceleration) continue;
+        state.updUErrWeights()[equation.multiplier] = 1 / equation.scale;
+        if (equation.level == EquationLevel::Holonomic)
+            state.updQErrWeights()[equation.multiplier] = 1 / equation.scale;
+    }
+    mechanism.getSystem().realize(state, SimTK::Stage::Position);
+}
+
+// By the root of what one unit of each multiplier does along its equation.
+template <class CalcResponse>
+void multiplyScales(const Mechanism& mechanism, State& state, const CalcResponse& calcResponse) {
+    const std::vector<ConstraintEquation> equations = mechanism.findEquations(state);
+    std::vector<Real> factors;
+    for (const ConstraintEquation& equation : equations) {
+        const Real response = calcResponse(equation.multiplier);
+        factors.push_back(response > 0 ? std::exp2(std::round(-std::log2(response) / 2)) : 1);
+    }
+    for (size_t k = 0; k < equations.size(); ++k)
+        if (equations[k].scale != 0)
+            EquationAccess(mechanism, equations[k]).setScale(state, factors[k] * equations[k].scale);
+    weighErrors(mechanism, state);
+}
+
+}  // namespace
+
+void setEquationScales(const Mechanism& mechanism, State& state) {
+    const auto& connections = mechanism.getConnections();
+    if (std::any_of(connections.begin(), connections.end(), [](const Connection& c) { return c.inTree; }))
+        return;
+    const SimTK::SimbodyMatterSubsystem& matter = mechanism.getMatter();
+    SimTK::Vector multipliers(matter.getNMultipliers(state), Real(0)), onMobilities;
+    SimTK::Vector_<SimTK::SpatialVec> onBodies;
+    multiplyScales(mechanism, state, [&](int equation) {
+        multipliers[equation] = 1;
+        matter.calcConstraintForcesFromMultipliers(state, multipliers, onBodies, onMobilities);
+        multipliers[equation] = 0;
+        return calcFreeResponse(matter, state, onBodies, onMobilities);
+    });
+}
+
+void setEquationScalesHere(const Mechanism& mechanism, State& state) {
+    SimTK::Matrix response;
+    mechanism.getMatter().calcProjectedMInv(state, response);
+    multiplyScales(mechanism, state, [&](int equation) { return response(equation, equation); });
+}
+
+void resetEquationScales(const Mechanism& mechanism, State& state) {
+    for (const ConstraintEquation& equation : mechanism.findEquations(state))
+        if (equation.scale != 0) EquationAccess(mechanism, equation).setScale(state, 1);
+    weighErrors(mechanism, state);
+}
+
+}  // namespace jprim
