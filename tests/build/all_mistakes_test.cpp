@@ -41,7 +41,7 @@ TEST(AllMistakes, AreListedInTheOrderOfTheFile) {
                          "SPRINGDAMPER/1,TRANSLATIONAL,I=20,J=10,K=1\n"
                          "SFORCE/1,TRANSLATIONAL,I=20,J=10,FUNCTION=1+[1,2,3]\n"
                          "END\n"),
-              (std::vector<std::string>{"2:25 REQUEST/1", "3:35 SENSOR/1", "4:1 JOINT/1", "7:1 PART/2",
+              (std::vector<std::string>{"2:24 REQUEST/1", "3:35 SENSOR/1", "4:1 JOINT/1", "7:1 PART/2",
                                         "10:3 MARKER/22", "11:1 PART/3", "13:1 POINT_MASS/1", "15:23 GCON/1",
                                         "16:21 VARIABLE/1", "18:44 SFORCE/1"}));
 }
