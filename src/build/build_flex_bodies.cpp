@@ -27,7 +27,7 @@ void MechanismBuilder::loadModes() {
 
 // QP, or for a marker on a node the node's place if there is no QP.
 std::optional<Triple> MechanismBuilder::findOrigin(const MarkerStatement& marker) {
-    if (marker.flexBody == 0 || marker.node == 0) return marker.qp;
+    if (marker.flexBody == 0 || marker.node == 0 || m_modes.count(marker.flexBody) == 0) return marker.qp;
     try {
         const Vec3 p = m_modes.at(marker.flexBody).getNode(marker.node).position / m_mechanism.m_units.length;
         return marker.qp.value_or(Triple{p[0], p[1], p[2]});
@@ -38,7 +38,8 @@ std::optional<Triple> MechanismBuilder::findOrigin(const MarkerStatement& marker
 }
 
 void MechanismBuilder::addFlexBodies() {
-    for (const FlexBodyStatement& body : m_dataset.flexBodies) addFlexBody(body);
+    for (const FlexBodyStatement& body : m_dataset.flexBodies)
+        if (m_modes.count(body.id) > 0) addFlexBody(body);
 }
 
 void MechanismBuilder::addFlexBody(const FlexBodyStatement& statement) {

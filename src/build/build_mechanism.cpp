@@ -67,6 +67,7 @@ void MechanismBuilder::indexParts() {
     for (const PartStatement& part : m_dataset.parts) m_partIndex[part.id] = index++;
     for (const PointMassStatement& mass : m_dataset.pointMasses) m_pointMassIndex[mass.id] = index++;
     for (const FlexBodyStatement& body : m_dataset.flexBodies) m_flexBodyIndex[body.id] = index++;
+    m_numParts = size_t(index);
 }
 
 void MechanismBuilder::findMarkerPoses() {
@@ -83,8 +84,7 @@ void MechanismBuilder::findMarkerPoses() {
             m_functions.floatingMarkers.insert(marker.id);
         else
             m_markersOfOwner[owner].push_back(marker.id);
-        if (!problem.empty())
-            report(Severity::Error, marker.where, fmt::format("MARKER/{}: {}", marker.id, problem));
+        if (!problem.empty()) reportFrame(fmt::format("MARKER/{}", marker.id), marker.where, problem);
     }
 }
 
@@ -123,9 +123,17 @@ Transform MechanismBuilder::getGivenPose(int marker) const {
     return m_mechanism.m_parts[size_t(m_ownerOfMarker.at(marker))].givenPose * m_markerPoses.at(marker);
 }
 
+// False if that is a mistake already.
+bool MechanismBuilder::hasGivenPose(int marker) const {
+    if (marker == 0) return true;
+    const MechanismPart& part = m_mechanism.m_parts[size_t(m_ownerOfMarker.at(marker))];
+    return m_undefined.count(part.name) == 0 && m_undefined.count(fmt::format("MARKER/{}", marker)) == 0;
+}
+
 void MechanismBuilder::checkAxes() {
     const auto check = [&](const auto& statements, const char* keyword) {
         for (const auto& s : statements) {
+            if (!hasGivenPose(s.i) || !hasGivenPose(s.j)) continue;
             const std::string problem =
                 findMisalignment(s.type, getGivenPose(s.i).R(), getGivenPose(s.j).R(), s.i, s.j);
             if (!problem.empty())

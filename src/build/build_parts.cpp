@@ -137,7 +137,7 @@ void MechanismBuilder::setRigidCoordinates(const RigidCoordinates& statement, co
     std::string problem;
     part.givenPose =
         makeFrame({statement.qg, statement.reuler, statement.zg, statement.xg, false}, units.length, problem);
-    if (!problem.empty()) report(Severity::Error, where, fmt::format("{}: {}", part.name, problem));
+    if (!problem.empty()) reportFrame(part.name, where, problem);
     if (!part.ground) part.exact = statement.exact;
     for (int k = 0; k < 3; ++k) {
         if (statement.v[k]) part.v[k] = *statement.v[k] * units.getVelocity();

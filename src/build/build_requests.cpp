@@ -50,6 +50,8 @@ void MechanismBuilder::addRequests() {
         MechanismRequest request;
         request.id = s.id;
         request.type = s.type;
+        request.resultsName = s.resultsName;
+        request.cnames = s.cnames;
         for (const auto& [column, function] : s.expressions)
             attempt(fmt::format("REQUEST/{}", s.id), s.where, [&, number = column, &text = function] {
                 request.functions.emplace_back(number, makeMeasure(text));
@@ -72,8 +74,8 @@ void MechanismBuilder::addSensors() {
     for (const SensorStatement& s : m_dataset.sensors) {
         const std::string name = fmt::format("SENSOR/{}", s.id);
         attempt(name, s.where, [&] {
-            m_mechanism.m_sensors.push_back(
-                {name, makeMeasure(s.function), s.value, s.error, s.comparison, s.halt});
+            m_mechanism.m_sensors.push_back({name, makeMeasure(s.function), s.value, s.error, s.comparison,
+                                             s.halt, s.halt || s.endsCommand});
         });
     }
 }

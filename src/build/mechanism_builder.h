@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "build/function_writer.h"
 #include "build/planar_loops.h"
 #include "build/tree_plan.h"
+#include "dataset/read_state.h"
 #include "jprim/base/diagnostic.h"
 #include "jprim/base/error.h"
 #include "jprim/build/build_mechanism.h"
@@ -30,34 +32,43 @@ public:
               [this](int marker) { return m_ownerOfMarker.at(marker); }) {}
 
     std::optional<Mechanism> build() {
+        const size_t earlier = m_diagnostics.size();
         m_mechanism.m_title = m_dataset.title;
+        addBodies();
+        if (m_mechanism.m_parts.size() == m_numParts) addElements();
+        sortByPosition(earlier, m_diagnostics);
+        if (m_failed) return std::nullopt;
+        return std::move(m_mechanism);
+    }
+
+private:
+    // A mistake is noted and what it concerns is built in some way, so that all mistakes are found. Only a flexible
+    // body without its modes cannot be, and then nothing is there for what stands on it.
+    void addBodies() {
         chooseUnits();
         indexParts();
         loadModes();
-        if (m_failed) return std::nullopt;
         findMarkerPoses();
         chooseLengthUnit();
         addGravity();
         addParts();
         addPointMasses();
         addFlexBodies();
-        if (m_failed) return std::nullopt;
+    }
+
+    void addElements() {
         addMarkers();
         checkAxes();
-        if (m_failed) return std::nullopt;
         prepareFunctions();
         addConnections();
         addEquations();
         addForces();
-        addWorkIntegral();
+        if (!m_failed) addWorkIntegral();
         checkVariables();
         addRequests();
         addSensors();
-        if (m_failed) return std::nullopt;
-        return std::move(m_mechanism);
     }
 
-private:
     /// Where an element is that a mobilizer stands for.
     struct TreePlace {
         const PlannedMobilizer* mobilizer;
@@ -67,6 +78,11 @@ private:
     void report(Severity severity, const SourcePosition& where, const std::string& message) {
         m_failed = m_failed || severity == Severity::Error;
         m_diagnostics.push_back({severity, where, message});
+    }
+
+    void reportFrame(const std::string& name, const SourcePosition& where, const std::string& problem) {
+        m_undefined.insert(name);
+        report(Severity::Error, where, name + ": " + problem);
     }
 
     void chooseUnits();
@@ -148,6 +164,7 @@ private:
         return isMoment ? m_mechanism.m_units.getMoment() : m_mechanism.m_units.force;
     }
     SimTK::Transform getGivenPose(int marker) const;
+    bool hasGivenPose(int marker) const;
     SimTK::Transform getMarkerPose(int id) const {
         return id == 0 ? SimTK::Transform() : m_markerPoses.at(id);
     }
@@ -158,6 +175,8 @@ private:
     const TreePlan m_plan;
     const PlanarLoops m_planarLoops;
     bool m_failed = false;
+    size_t m_numParts = 0;                        // how many parts there are to be
+    std::unordered_set<std::string> m_undefined;  // parts and markers whose axes are not defined
     Mechanism m_mechanism;
     std::unordered_map<int, SimTK::Transform> m_markerPoses;  // in the part's BCS, undeformed
     // Parts are known by their place in Mechanism::getParts(), also before they are there.

@@ -20,7 +20,7 @@ std::string StatementReader::describe(const ArgumentRule& rule) const {
 // Everything up to the next comma, which is passed too.
 std::string_view StatementReader::takeItem() {
     const std::size_t begin = m_at;
-    while (!atEnd() && !isComma(m_text[m_at])) ++m_at;
+    m_at = findItemEnd(m_text, m_at);
     const std::string_view item = trim(m_text.substr(begin, m_at - begin));
     m_comma = !atEnd();
     if (m_comma) ++m_at;

@@ -33,6 +33,7 @@ enum class ArgumentKind {
     Words,         ///< colon list of words, each at most once
     WordSequence,  ///< colon list of words
     Text,          ///< free text up to the next comma
+    Names,         ///< up to `most` names, each in double quotes or not, of which some may be empty
     Expression,    ///< function expression up to a backslash
     Subroutine,    ///< USER(...), which cannot be run
     Ignored,       ///< free text without effect
@@ -116,6 +117,7 @@ struct ArgumentValue {
     std::vector<int> ids;
     std::vector<std::size_t> words;  ///< their places in the closed list
     std::string text;
+    std::vector<std::string> names;
     ExpressionText expression;
 
     double getNumber() const { return numbers[0]; }
@@ -131,6 +133,7 @@ struct ArgumentValue {
         ids.clear();
         words.clear();
         text.clear();
+        names.clear();
         expression.text.clear();
         expression.segments.clear();
     }

@@ -41,6 +41,7 @@ std::string describeCount(const ArgumentRule& rule) {
 bool StatementReader::readValue(const ArgumentRule& rule, ArgumentValue& value) {
     if (isNumeric(rule.kind) || isId(rule.kind)) return readNumbers(rule, value);
     if (rule.words) return readWords(rule, value);
+    if (rule.kind == ArgumentKind::Names) return readNames(rule, value);
     if (rule.kind == ArgumentKind::Expression || rule.kind == ArgumentKind::Subroutine)
         return readExpression(rule, value);
     value.text = takeItem();
@@ -140,6 +141,52 @@ bool StatementReader::readWords(const ArgumentRule& rule, ArgumentValue& value) 
         value.offsets.push_back(offset);
     }
     return m_errors == errors;
+}
+
+// A list of names goes on until another argument begins. A bare word is one only in full and while none of its
+// group is given: names are often short words themselves.
+bool StatementReader::isNextName() const {
+    const Name next = peekName(m_at);
+    if (!m_comma || next.atEnd || next.equals) return false;
+    const std::string_view item = trim(m_text.substr(m_at, findItemEnd(m_text, m_at) - m_at));
+    const WordMatch match = findWord(*m_rules, item);
+    const bool inFull = match.found && (*m_rules)[match.index].name.size() == item.size();
+    return !inFull || !isBare((*m_rules)[match.index].kind) || has(ArgumentKind::Choice);
+}
+
+bool StatementReader::readName(const ArgumentRule& rule, ArgumentValue& value) {
+    skipBlanks();
+    const std::size_t offset = m_at;
+    const std::string_view item = takeItem();
+    value.offsets.push_back(offset);
+    if (item.empty() || item.front() != '"') {
+        value.names.emplace_back(item);
+        return true;
+    }
+    const std::size_t end = skipQuotes(item, 0);
+    if (end == item.size()) {
+        value.names.emplace_back(item.substr(1, end - 2));
+        return true;
+    }
+    if (end == 0)
+        addError(offset, fmt::format("{}: the closing quote of {} is missing", describe(rule), quote(item)));
+    else
+        addError(offset + end,
+                 fmt::format("{}: a comma is missing after {}", describe(rule), quote(item.substr(0, end))));
+    return false;
+}
+
+bool StatementReader::readNames(const ArgumentRule& rule, ArgumentValue& value) {
+    bool good = true;
+    do {
+        good = readName(rule, value) && good;
+    } while (rule.most > 1 && m_errors < MostErrors && isNextName());
+    if (good && value.names.size() > rule.most) {
+        addError(m_given.back().second, fmt::format("{} takes at most {} names, not {}", describe(rule),
+                                                    rule.most, value.names.size()));
+        return false;
+    }
+    return good;
 }
 
 // Goes past the backslash or comma at `end`, and past the comma that may follow a backslash.

@@ -111,19 +111,6 @@ void understandSteps(StatementReader& reader, SimulateArguments& s) {
                                     *s.count, MostSteps));
 }
 
-// END counts from the beginning of the first simulation, so it must lie behind what was simulated before.
-void advanceTime(StatementReader& reader, const SimulateArguments& s, CommandState& commands) {
-    if (s.end && *s.end <= commands.time)
-        return reader.addError(
-            reader.getOffset("END"),
-            fmt::format("END of {} is {}, but line {} simulates up to {}; give a later time, "
-                        "or a DURATION",
-                        reader.getName(), *s.end, commands.timeLine, commands.time));
-    if (!s.end && !s.duration) return;
-    commands.time = s.end ? *s.end : commands.time + *s.duration;
-    commands.timeLine = reader.getPosition().line;
-}
-
 void readSimulate(StatementReader& reader, CommandState& commands) {
     SimulateArguments s;
     s.where = reader.getPosition();
@@ -133,7 +120,6 @@ void readSimulate(StatementReader& reader, CommandState& commands) {
     checkPositive(reader, "DURATION", s.duration);
     checkPositive(reader, "DTOUT", s.dtout);
     understandSteps(reader, s);
-    if (!reader.hasErrors()) advanceTime(reader, s, commands);
     if (!reader.hasErrors()) commands.file.commands.emplace_back(static_cast<SimulateCommand>(s));
 }
 
@@ -149,6 +135,7 @@ const ArgumentTable<ActivateCommand>& getActivateTable() {
                                            {kind("JOINT", 1), setKind},
                                            {kind("GCON", 2), setKind},
                                            {kind("MOTION", 1), setKind},
+                                           {kind("SENSOR", 2), setKind},
                                            {ArgumentRule("ID", Kind::Id).of(1, NoLimit),
                                             [](A& a, const V& v) {
                                                 for (const int id : v.ids) a.ids.push_back({id, id});
@@ -159,6 +146,7 @@ const ArgumentTable<ActivateCommand>& getActivateTable() {
                                             }},
                                            {{"BEAM", Kind::Unsupported, 2}, nullptr},
                                            {{"BUSHING", Kind::Unsupported, 2}, nullptr},
+                                           {{"CLEARANCE", Kind::Unsupported, 2}, nullptr},
                                            {{"CONTACT", Kind::Unsupported, 3}, nullptr},
                                            {{"COUPLER", Kind::Unsupported, 3}, nullptr},
                                            {{"FIELD", Kind::Unsupported, 3}, nullptr},
@@ -167,7 +155,6 @@ const ArgumentTable<ActivateCommand>& getActivateTable() {
                                            {{"NFORCE", Kind::Unsupported}, nullptr},
                                            {{"PTCV", Kind::Unsupported}, nullptr},
                                            {{"CVCV", Kind::Unsupported, 2}, nullptr},
-                                           {{"SENSOR", Kind::Unsupported, 2}, nullptr},
                                            {{"SFORCE", Kind::Unsupported, 2}, nullptr},
                                            {{"SPRINGDAMPER", Kind::Unsupported, 2}, nullptr},
                                            {{"VFORCE", Kind::Unsupported, 2}, nullptr},
@@ -208,7 +195,7 @@ const std::vector<CommandRule>& getCommandRules() {
 }
 
 const char* getAdamsName(ElementKind kind) {
-    constexpr const char* names[] = {"JPRIM", "JOINT", "GCON", "MOTION"};
+    constexpr const char* names[] = {"JPRIM", "JOINT", "GCON", "MOTION", "SENSOR"};
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -15,8 +15,6 @@ namespace jprim {
 struct CommandState {
     CommandFile file;
     int modelLine = 0;  ///< where the model was named
-    double time = 0;    ///< where the simulations so far end
-    int timeLine = 0;   ///< and the last of them
 };
 
 /// A kind of command: its name, the letters that an abbreviation needs, and the function that reads it.

@@ -70,7 +70,8 @@ auto tie(const SensorStatement& s) {
     return std::tie(s.id, s.function, s.value, s.error, s.comparison, s.halt, s.endsCommand);
 }
 auto tie(const RequestStatement& r) {
-    return std::tie(r.id, r.type, r.i, r.j, r.rm, r.comment, r.title, r.expressions);
+    return std::tie(r.id, r.type, r.i, r.j, r.rm, r.comment, r.title, r.resultsName, r.cnames, r.cunits,
+                    r.clabels, r.ctitle, r.expressions);
 }
 auto tie(const IgnoredStatement& s) {
     return std::tie(s.keyword, s.id, s.arguments);

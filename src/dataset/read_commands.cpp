@@ -33,6 +33,38 @@ const StatementRule* findIgnored(std::string_view keyword) {
     return ignored ? &rules[match.index] : nullptr;
 }
 
+// Commands of Adams that a dataset has no statement for. The first of them only tell or show something.
+constexpr std::size_t NumTelling = 6;
+const std::vector<Word>& getOtherCommands() {
+    static const std::vector<Word> words = {
+        {"HELP", 2},       {"INFO", 3},        {"LIST", 3},          {"MENU", 3},    {"SHOW", 2},
+        {"TIME", 3},       {"CONTROL", 5},     {"LINEAR", 3},        {"SAVE", 2},    {"RELOAD", 3},
+        {"RETURN", 3},     {"SET", ExactOnly}, {"ACENTER", 2},       {"AINIT", 2},   {"AUTOSCALE", 2},
+        {"BACKUP", 2},     {"CENTER", 2},      {"CLEAR", ExactOnly}, {"DISPLAY", 3}, {"DRAW", 2},
+        {"DT", ExactOnly}, {"ERASE", 2},       {"EXECUTION", 3},     {"PLOT", 2}};
+    return words;
+}
+
+constexpr const char* Supported = "supported are FILE, SIMULATE, ACTIVATE, DEACTIVATE, STOP and EXIT";
+
+// A word that is no command here: one of Adams, or none at all.
+void rejectCommand(StatementReader& reader, std::string_view keyword) {
+    const WordMatch other = findWord(getOtherCommands(), keyword);
+    const WordMatch statement = findWord(getStatementRules(), keyword);
+    const std::string_view known = other.found       ? getOtherCommands()[other.index].name
+                                   : statement.found ? getStatementRules()[statement.index].name
+                                                     : "";
+    if (other.found && other.index < NumTelling)
+        reader.addWarning(0, fmt::format("{} is not supported and is left out; it changes no motion", known));
+    else if (isWordAlone(keyword, "STOP") || isWordAlone(keyword, "EXIT"))
+        reader.addError(0, fmt::format("{} stands alone; it takes no arguments", toUpperCase(keyword)));
+    else if (!known.empty())
+        reader.addError(0, fmt::format("{} is not supported in a command file; {}", known, Supported));
+    else
+        reader.addError(0, fmt::format("{} is not a command; {}{}", quote(keyword), Supported,
+                                       suggestWord(getCommandRules(), keyword)));
+}
+
 void readCommand(ReadState& state, CommandState& commands, const Statement& statement) {
     StatementReader reader(state, statement);
     const std::string_view keyword = reader.readKeyword();
@@ -42,9 +74,7 @@ void readCommand(ReadState& state, CommandState& commands, const Statement& stat
     } else if (const StatementRule* const ignored = findIgnored(keyword)) {
         if (reader.readHead(ignored->name, false)) readIgnored(reader);
     } else {
-        reader.addError(0, fmt::format("{} is not a supported command; these are FILE, SIMULATE, ACTIVATE, "
-                                       "DEACTIVATE, STOP and EXIT{}",
-                                       quote(keyword), suggestWord(getCommandRules(), keyword)));
+        rejectCommand(reader, keyword);
     }
 }
 

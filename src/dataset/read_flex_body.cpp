@@ -84,7 +84,7 @@ void understandFile(StatementReader& reader, F& arguments) {
     if (name.empty() || name.find_first_of(forbidden) != name.npos)
         reader.addError(arguments.file.offset,
                         fmt::format("MODES_FILE of {}: {} is not a file name; one with blanks stands in "
-                                    "quotes, and none has a comma, semicolon, & or ! in it",
+                                    "quotes, one with a comma, semicolon, & or ! in double ones",
                                     reader.getName(), quote(arguments.file.text)));
     arguments.modesFile = std::string(name);
 }

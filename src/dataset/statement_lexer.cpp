@@ -7,6 +7,21 @@
 
 namespace jprim {
 
+std::size_t skipQuotes(std::string_view text, std::size_t at) {
+    if (text[at] != '"') return at;
+    std::size_t before = at;
+    while (before > 0 && isBlank(text[before - 1])) --before;
+    const bool opens = before == 0 || text[before - 1] == '=' || isComma(text[before - 1]);
+    const std::size_t end = opens ? text.find_first_of("\"\n", at + 1) : text.npos;
+    return end == text.npos || text[end] == '\n' ? at : end + 1;
+}
+
+std::size_t findItemEnd(std::string_view text, std::size_t begin) {
+    std::size_t at = begin;
+    while (at < text.size() && !isComma(text[at])) at = std::max(at + 1, skipQuotes(text, at));
+    return at;
+}
+
 ExpressionText cutExpression(const Statement& statement, std::size_t begin, std::size_t end) {
     ExpressionText cut;
     std::size_t last = begin;
@@ -55,7 +70,10 @@ StatementLexer::Piece StatementLexer::scanPiece() {
     while (m_at < m_text.size() && isBlank(m_text[m_at])) ++m_at;
     const std::size_t begin = m_at;
     piece.where = {m_line, static_cast<int>(begin - m_lineBegin) + 1};
-    while (m_at < m_text.size() && m_text[m_at] != '\n' && m_text[m_at] != '!' && m_text[m_at] != ';') ++m_at;
+    const auto ends = [](char c) { return c == '\n' || c == '!' || c == ';'; };
+    const std::string_view line = m_text.substr(m_lineBegin);
+    while (m_at < m_text.size() && !ends(m_text[m_at]))
+        m_at = std::max(m_at + 1, m_lineBegin + skipQuotes(line, m_at - m_lineBegin));
     piece.text = trim(m_text.substr(begin, m_at - begin));
     piece.semicolon = m_at < m_text.size() && m_text[m_at] == ';';
     if (piece.semicolon)

@@ -18,6 +18,14 @@ inline bool isComma(char c) {
     return c == ',' || c == ContinuationComma;
 }
 
+/// Where a text in double quotes that begins at this offset ends, behind the closing quote; the offset itself if none
+/// begins there. Quotes enclose an item: the opening one stands after a '=', a comma or nothing, the closing one in the
+/// same line. What is between them separates, continues and ends nothing.
+std::size_t skipQuotes(std::string_view text, std::size_t at);
+
+/// The offset of the next comma that stands in no quotes, or the end of the text.
+std::size_t findItemEnd(std::string_view text, std::size_t begin);
+
 /// One statement on one line: comments and line breaks taken out.
 using Statement = SourceText;
 

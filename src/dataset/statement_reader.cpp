@@ -59,8 +59,10 @@ std::string_view StatementReader::readKeyword() {
 
 bool StatementReader::readHead(std::string_view fullKeyword, bool hasId) {
     m_keyword = fullKeyword;
-    const std::size_t ampersand = m_text.find('&');
-    if (ampersand != m_text.npos) {
+    std::size_t ampersand = 0;
+    while (ampersand < m_text.size() && m_text[ampersand] != '&')
+        ampersand = std::max(ampersand + 1, skipQuotes(m_text, ampersand));
+    if (ampersand < m_text.size()) {
         addError(ampersand, "'&' may only end a line, to continue it on the next");
         return false;
     }

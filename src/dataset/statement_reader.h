@@ -96,6 +96,9 @@ private:
     bool readNumber(const ArgumentRule& rule, ArgumentValue& value);
     bool isNextValue(const ArgumentRule& rule, std::size_t count) const;
     bool readWords(const ArgumentRule& rule, ArgumentValue& value);
+    bool readNames(const ArgumentRule& rule, ArgumentValue& value);
+    bool readName(const ArgumentRule& rule, ArgumentValue& value);
+    bool isNextName() const;
     bool checkNotUser(const ArgumentRule& rule);
     bool readExpression(const ArgumentRule& rule, ArgumentValue& value);
     void endExpression(std::size_t end);

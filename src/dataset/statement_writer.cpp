@@ -74,6 +74,14 @@ void StatementWriter::add(std::string_view name, const std::optional<ExpressionT
     if (expression) addExpression(name, expression->text);
 }
 
+// A name that has a quote in it was given without quotes, so it has nothing in it that needs them.
+void StatementWriter::add(std::string_view name, const std::vector<std::string>& names) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const std::string mark = names[k].find('"') == std::string::npos ? "\"" : "";
+        add((k == 0 ? fmt::format("{}=", name) : "") + mark + names[k] + mark);
+    }
+}
+
 void StatementWriter::add(std::string_view name, const std::vector<double>& numbers) {
     for (std::size_t k = 0; k < numbers.size(); ++k)
         add(k == 0 ? fmt::format("{}={}", name, numbers[k]) : fmt::format("{}", numbers[k]));

@@ -31,6 +31,7 @@ public:
     void add(std::string_view name, const std::optional<Triple>& triple);
     void add(std::string_view name, const std::optional<ExpressionText>& expression);
     void add(std::string_view name, const std::vector<double>& numbers);
+    void add(std::string_view name, const std::vector<std::string>& names);
 
 private:
     static constexpr std::size_t LongestLine = 78;  // leaves room for a closing backslash

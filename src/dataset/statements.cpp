@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dataset/statements.h"
 
+#include <fmt/format.h>
+
 namespace jprim {
 
 // The minimum lengths make every abbreviation mean one statement: M is MARKER, so MOTION needs two
@@ -30,7 +32,10 @@ const std::vector<StatementRule>& getStatementRules() {
         {"REQUEST", 1, true, readRequest},
         // What is seen or written, and how the solver works, changes no motion.
         {"GRAPHICS", 2, true, readIgnored},
+        {"MATERIAL", 4, true, readIgnored},
         {"MREQUEST", 2, true, readMrequest},
+        {"PINPUT", 2, true, readPlantVariables},
+        {"POUTPUT", 3, true, readPlantVariables},
         {"STRING", 2, true, readIgnored},
         {"OUTPUT", 3, false, readIgnored},
         {"RESULTS", 3, false, readIgnored},
@@ -44,19 +49,25 @@ const std::vector<StatementRule>& getStatementRules() {
         // Known, but not supported yet.
         {"ARRAY", 2},
         {"BEAM", 2},
+        {"CLEARANCE", 2},
         {"CONTACT", 3},
         {"CURVE", 3},
         {"CVCV", 2},
         {"DIFF", 3},
+        {"ENVIRONMENT", 3},
+        {"FE_LOAD", 4},
+        {"FE_NODE", 4},
         {"FE_PART", 2},
+        {"FE_SECTION", 4},
+        {"FEMDATA", 3},
         {"FIELD", 3},
         {"FRICTION", 2},
         {"GSE", 2},
         {"LSE", 3},
         {"MATRIX", 3},
+        {"MFORCE", 2},
         {"NFORCE", 2},
-        {"PINPUT", 2},
-        {"POUTPUT", 3},
+        {"PLANT_STATE", 2},
         {"PTCV", 2},
         {"SURFACE", 2},
         {"TFSISO", 2},
@@ -79,6 +90,17 @@ void readMrequest(StatementReader& reader) {
     if (!reader.hasErrors())
         reader.addWarning(
             0, reader.getName() + " writes nothing here; write a REQUEST for each pair of markers");
+}
+
+void readPlantVariables(StatementReader& reader) {
+    readIgnored(reader);
+    if (reader.hasErrors()) return;
+    const bool isInput = reader.getKeyword() == "PINPUT";
+    reader.addWarning(
+        0, fmt::format("{} is ignored: it lists {} for LINEAR and for control systems ({}), and no "
+                       "motion depends on it",
+                       reader.getName(), isInput ? "inputs" : "outputs",
+                       reader.updState().dataset.ignored.back().arguments));
 }
 
 }  // namespace jprim

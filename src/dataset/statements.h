@@ -43,6 +43,7 @@ void readSpline(StatementReader& reader);
 void readSensor(StatementReader& reader);
 void readRequest(StatementReader& reader);
 void readMrequest(StatementReader& reader);
+void readPlantVariables(StatementReader& reader);  // PINPUT and POUTPUT
 void readIgnored(StatementReader& reader);
 
 }  // namespace jprim

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
 
+#include "dataset/statement_lexer.h"
 #include "dataset/statement_writer.h"
 
 namespace jprim {
@@ -73,9 +75,9 @@ void write(StatementWriter& w, const PartStatement& p) {
     w.end();
 }
 
-// A name with blanks or quotes stands in quotes of the kind that it does not contain.
+// A name with marks that mean something elsewhere stands in quotes of the kind that it does not contain.
 std::string quoteName(const std::string& name) {
-    if (name.find_first_of(" \t\r\v\f'\"") == name.npos) return name;
+    if (name.find_first_of(" \t\r\v\f'\",;&!") == name.npos) return name;
     const char mark = name.find('"') == name.npos ? '"' : '\'';
     return mark + name + mark;
 }
@@ -122,19 +124,24 @@ void write(StatementWriter& w, const RequestStatement& r) {
     w.add("RM", r.rm);
     w.add("COMMENT", r.comment);
     w.add("TITLE", r.title);
+    w.add("CUNITS", r.cunits);
+    w.add("CNAMES", r.cnames);
+    w.add("CLABELS", r.clabels);
+    w.add("CTITLE", r.ctitle);
+    if (!r.resultsName.empty()) w.add("RESULTS_NAME", std::vector<std::string>{r.resultsName});
     for (const auto& [number, expression] : r.expressions)
         w.add(fmt::format("F{}", number), std::optional<ExpressionText>(expression));
     w.end();
 }
 
-// The text is a list; it may be broken between its items.
+// The text is a list of items, each followed by ", "; it may be broken between them.
 void write(StatementWriter& w, const IgnoredStatement& s) {
     w.begin(s.keyword, s.id);
     std::string_view rest = s.arguments;
     while (!rest.empty()) {
-        const std::size_t comma = rest.find(", ");
-        w.add(rest.substr(0, comma));
-        rest.remove_prefix(comma == rest.npos ? rest.size() : comma + 2);
+        const std::size_t end = findItemEnd(rest, 0);
+        w.add(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 2, rest.size()));
     }
     w.end();
 }

@@ -168,9 +168,10 @@ std::vector<std::string> getLanguageNames() {
 }
 
 bool isKnownToAdamsOnly(std::string_view name) {
-    static constexpr std::string_view names[] = {"ARYVAL",   "CURVE",  "DELAY",  "DIF",  "DIF1",
-                                                 "FRICTION", "INTERP", "INVPSD", "MODE", "PINVAL",
-                                                 "POUVAL",   "SENVAL", "SWEEP",  "USER"};
+    static constexpr std::string_view names[] = {
+        "ARYVAL", "BEAM",     "CONTACT", "CURVE",  "CVCV",   "DELAY",  "DIF",  "DIF1",
+        "FIELD",  "FRICTION", "FXFREQ",  "FXMODE", "INTERP", "INVPSD", "MODE", "NFORCE",
+        "PINVAL", "POUVAL",   "PTCV",    "SENVAL", "SWEEP",  "USER"};
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 

@@ -96,13 +96,30 @@ void calcForce(const MechanismRequest& r, const State& s, double* out) {
 
 }  // namespace
 
+// By RESULTS_NAME and CNAMES where they are given. Requests may share the one and repeat the others; a name that is
+// taken gives way to the one that the component has without them.
+std::string Recorder::nameComponent(const MechanismRequest& request, int component,
+                                    const std::string& usual) {
+    const bool isNamed =
+        size_t(component) <= request.cnames.size() && !request.cnames[size_t(component) - 1].empty();
+    const std::string plain = fmt::format("R{}", request.id);
+    std::string name = (request.resultsName.empty() ? plain : request.resultsName) + "." +
+                       (isNamed ? request.cnames[size_t(component) - 1] : usual);
+    if (m_requestColumns.count(name) > 0) name = plain + "." + usual;
+    while (!m_requestColumns.insert(name).second) name += '_';
+    return name;
+}
+
 void Recorder::addRequest(const MechanismRequest& request) {
     const UnitSystem& u = m_mechanism.getUnits();
-    // The first four columns are linear, the others angular.
+    // The first four columns are linear, the others angular. Seven lack the angular magnitude.
     const auto add = [&](const std::vector<const char*>& names, double linear, double angular, auto calc) {
         std::vector<Column> columns;
-        for (const char* name : names) columns.push_back({name, columns.size() < 4 ? linear : angular});
-        addGroup(m_results.requests, fmt::format("R{}.", request.id), columns,
+        for (const char* usual : names) {
+            const int k = int(columns.size()), missing = names.size() == 7 && k >= 4 ? 1 : 0;
+            columns.push_back({nameComponent(request, k + missing + 1, usual), k < 4 ? linear : angular});
+        }
+        addGroup(m_results.requests, "", columns,
                  [calc, request](const State& s, double* out) { calc(request, s, out); });
     };
     switch (request.type) {
@@ -123,7 +140,7 @@ void Recorder::addRequest(const MechanismRequest& request) {
 // Functions give their values in the dataset's units already.
 void Recorder::addFunctions(const MechanismRequest& request) {
     for (const auto& [number, function] : request.functions)
-        addGroup(m_results.requests, fmt::format("R{}.", request.id), {{fmt::format("F{}", number), 1}},
+        addGroup(m_results.requests, "", {{nameComponent(request, number, fmt::format("F{}", number)), 1}},
                  [f = function](const State& s, double* out) { *out = f.calcValue(s); });
 }
 

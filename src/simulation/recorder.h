@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "jprim/build/mechanism.h"
 #include "jprim/simulation/results.h"
@@ -38,6 +40,7 @@ private:
                   std::function<void(const SimTK::State&, double*)> calcInSI);
     void addRequest(const MechanismRequest& request);
     void addFunctions(const MechanismRequest& request);
+    std::string nameComponent(const MechanismRequest& request, int component, const std::string& usual);
     void addReactions(const LoadElement& element);
     void addPart(const MechanismPart& part);
     void addModes(const MechanismPart& part);
@@ -46,6 +49,7 @@ private:
     const Mechanism& m_mechanism;
     Results m_results;
     std::vector<Group> m_groups;
+    std::unordered_set<std::string> m_requestColumns;  // names taken so far
 };
 
 }  // namespace jprim

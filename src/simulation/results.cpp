@@ -22,10 +22,20 @@ std::vector<double> Table::getColumn(const std::string& name) const {
 
 namespace {
 
+// A field of a file of comma separated values, as RFC 4180 has it.
+std::string makeField(const std::string& name) {
+    if (name.find_first_of(",\"\r\n") == name.npos) return name;
+    std::string field = "\"";
+    for (const char c : name) field += c == '"' ? "\"\"" : std::string(1, c);
+    return field + "\"";
+}
+
 void writeTable(const Table& table, const std::filesystem::path& path) {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "{}\n", fmt::join(table.columns, ","));
+    std::vector<std::string> header;
+    for (const std::string& name : table.columns) header.push_back(makeField(name));
+    fmt::format_to(out, "{}\n", fmt::join(header, ","));
     for (size_t row = 0; row < table.getNumRows(); ++row) {
         const auto begin = table.values.begin() + std::ptrdiff_t(row * table.columns.size());
         fmt::format_to(out, "{}\n", fmt::join(begin, begin + std::ptrdiff_t(table.columns.size()), ","));

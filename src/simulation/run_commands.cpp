@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "jprim/base/error.h"
@@ -23,19 +22,24 @@ void append(const Table& added, bool withFirstRow, Table& table) {
                         added.values.end());
 }
 
+bool isMoment(const SimulateCommand& command) {
+    return !command.end && !command.duration;
+}
+
+// END counts from the beginning of all, not from where the command starts.
+double findEnd(const SimulateCommand& command, double start) {
+    const double end = command.end ? *command.end : start + *command.duration;
+    if (end > start) return end;
+    throw Error(
+        "SIMULATE",
+        fmt::format("END is {}, but the time reached is {}; give a later time, or a DURATION", end, start));
+}
+
 // The output times of a command that starts at `start`.
 void chooseTimes(const SimulateCommand& command, double start, SimulationOptions& options) {
-    options.end = command.end ? *command.end : start + *command.duration;
-    if (!(options.end > start))
-        throw Error("SIMULATE",
-                    fmt::format("END={} is not later than the present time {}", options.end, start));
-    const double steps = command.steps ? *command.steps : std::round((options.end - start) / *command.dtout);
-    if (command.dtout &&
-        (!(steps >= 1 && steps <= 1e9) ||
-         std::abs(steps * *command.dtout - (options.end - start)) > 1e-9 * std::abs(options.end)))
-        throw Error("SIMULATE", fmt::format("the time from {} to {} is not a multiple of DTOUT={}", start,
-                                            options.end, *command.dtout));
-    options.steps = int(steps);
+    options.steps = isMoment(command) ? 0 : command.steps.value_or(1);
+    options.outputStep = command.dtout;
+    if (!isMoment(command)) options.end = findEnd(command, start);
 }
 
 class CommandRun {
@@ -44,25 +48,47 @@ public:
         : m_mechanism(mechanism), m_options(options) {}
 
     CommandsOutcome run(const std::vector<Command>& commands) {
-        for (const Command& command : commands) {
-            m_outcome.where = std::visit([](const auto& c) { return c.where; }, command);
-            try {
-                std::visit([this](const auto& c) { execute(c); }, command);
-            } catch (const std::exception& exception) {
-                m_outcome.failure = exception.what();
-            }
-            if (!m_outcome.failure.empty() || m_halted) break;
-        }
+        double time = 0;
+        forEach(commands, [&](const Command& command) { time = foresee(command, time); });
+        forEach(commands, [this](const Command& command) {
+            std::visit([this](const auto& c) { execute(c); }, command);
+        });
         return std::move(m_outcome);
     }
 
 private:
+    // Up to the first that fails.
+    template <class Do>
+    void forEach(const std::vector<Command>& commands, const Do& doIt) {
+        for (const Command& command : commands) {
+            if (!m_outcome.failure.empty() || m_halted) return;
+            m_outcome.where = std::visit([](const auto& c) { return c.where; }, command);
+            try {
+                doIt(command);
+            } catch (const std::exception& exception) {
+                m_outcome.failure = exception.what();
+            }
+        }
+    }
+
+    // Where the command ends, given where it starts. Before a long run is the time to learn that an END is too early;
+    // but where sensors may end commands, nobody knows.
+    double foresee(const Command& command, double start) const {
+        const auto* const simulate = std::get_if<SimulateCommand>(&command);
+        const bool isKnown = simulate && !isMoment(*simulate) && m_mechanism.getSensors().empty();
+        return isKnown ? findEnd(*simulate, start) : start;
+    }
+
     void execute(const ActivateCommand& command) {
         start();
         for (const IdRange& range : command.ids)
-            for (const auto& [id, name] : findElements(command.kind, range))
-                switchElement(name, command.active);
-        m_switched = true;
+            for (const std::string& name : findElements(command.kind, range)) {
+                if (command.kind == ElementKind::Sensor)
+                    switchSensor(name, command.active);
+                else
+                    switchElement(name, command.active);
+            }
+        m_switched = m_switched || command.kind != ElementKind::Sensor;
     }
 
     void execute(const SimulateCommand& command) {
@@ -71,19 +97,18 @@ private:
         const double time = m_state->getTime() / m_mechanism.getUnits().time;
         SimulationOptions options = m_options;
         options.kind = getKind(command.analysis);
-        const bool isMoment = !command.end && !command.duration;
-        if (isMoment)
-            options.steps = 0;
-        else
-            chooseTimes(command, time, options);
+        options.sensors = m_sensors;
+        chooseTimes(command, time, options);
         AssembledState initial;
         initial.state = *m_state;
         SimulationOutcome outcome = simulate(m_mechanism, initial, options);
         const bool isFirst = m_outcome.summaries.empty();
         for (const auto table : {&Results::requests, &Results::reactions, &Results::parts})
-            append(outcome.results.*table, isFirst || m_switched || isMoment, m_outcome.results.*table);
+            append(outcome.results.*table, isFirst || m_switched || isMoment(command),
+                   m_outcome.results.*table);
         m_switched = false;
         m_state = outcome.finalState;
+        m_sensors = outcome.sensors;
         m_outcome.failure = outcome.failure;
         m_halted = outcome.summary.isHalted;
         m_outcome.summaries.push_back({fmt::format("SIMULATE/{}", getAdamsName(command.analysis)), time,
@@ -100,17 +125,21 @@ private:
     }
 
     void start() {
-        if (!m_state) m_state = assemble(m_mechanism).state;
+        if (m_state) return;
+        m_state = assemble(m_mechanism).state;
+        m_sensors.assign(m_mechanism.getSensors().size(), SensorState::Armed);
     }
 
-    // (id, name) of the elements of a kind in a range; a single id must exist.
-    std::vector<std::pair<int, std::string>> findElements(ElementKind kind, const IdRange& range) const {
+    // The elements of a kind in a range; a single id must exist.
+    std::vector<std::string> findElements(ElementKind kind, const IdRange& range) const {
+        std::vector<std::string> names = m_mechanism.getSwitchableElements();
+        for (const MechanismSensor& sensor : m_mechanism.getSensors()) names.push_back(sensor.name);
         const std::string prefix = std::string(getAdamsName(kind)) + "/";
-        std::vector<std::pair<int, std::string>> found;
-        for (const std::string& name : m_mechanism.getSwitchableElements()) {
+        std::vector<std::string> found;
+        for (const std::string& name : names) {
             if (name.compare(0, prefix.size(), prefix) != 0) continue;
             const int id = std::stoi(name.substr(prefix.size()));
-            if (range.first <= id && id <= range.last) found.emplace_back(id, name);
+            if (range.first <= id && id <= range.last) found.push_back(name);
         }
         if (found.empty() && range.first == range.last)
             throw Error(prefix + std::to_string(range.first), "does not exist in this model");
@@ -125,9 +154,17 @@ private:
             constraint.disable(*m_state);
     }
 
+    // One that is switched on is armed, whether it has fired before or not.
+    void switchSensor(const std::string& name, bool active) {
+        const std::vector<MechanismSensor>& sensors = m_mechanism.getSensors();
+        for (size_t k = 0; k < sensors.size(); ++k)
+            if (sensors[k].name == name) m_sensors[k] = active ? SensorState::Armed : SensorState::Off;
+    }
+
     const Mechanism& m_mechanism;
     const SimulationOptions& m_options;
     CommandsOutcome m_outcome;
+    std::vector<SensorState> m_sensors;
     std::optional<State> m_state;
     bool m_switched = false;
     bool m_halted = false;

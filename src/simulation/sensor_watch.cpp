@@ -34,36 +34,56 @@ SensorWatch::Values SensorWatch::calcValues(const State& state) const {
     return values;
 }
 
-const MechanismSensor* SensorWatch::findFiring(const Values& before, const Values& now) const {
+bool SensorWatch::isFiring(size_t k, const Values& before, const Values& now) const {
+    const MechanismSensor& sensor = m_mechanism.getSensors()[k];
+    if (!sensor.ends || m_states[k] != SensorState::Armed) return false;
+    return isTrue(sensor, now[k]) || isPassed(sensor, before[k], now[k]);
+}
+
+bool SensorWatch::isAnyFiring(const Values& before, const Values& now) const {
+    for (size_t k = 0; k < now.size(); ++k)
+        if (isFiring(k, before, now)) return true;
+    return false;
+}
+
+// What happened in a step: who has fired, and who is armed again.
+const MechanismSensor* SensorWatch::update(const Values& before, const Values& now) {
     const std::vector<MechanismSensor>& sensors = m_mechanism.getSensors();
-    for (size_t k = 0; k < sensors.size(); ++k)
-        if (isTrue(sensors[k], now[k]) || isPassed(sensors[k], before[k], now[k])) return &sensors[k];
-    return nullptr;
+    const MechanismSensor* firing = nullptr;
+    for (size_t k = 0; k < sensors.size(); ++k) {
+        if (isFiring(k, before, now)) {
+            m_states[k] = SensorState::Fired;
+            if (!firing || (sensors[k].halt && !firing->halt)) firing = &sensors[k];
+        } else if (m_states[k] == SensorState::Fired && !isTrue(sensors[k], now[k])) {
+            m_states[k] = SensorState::Armed;
+        }
+    }
+    return firing;
 }
 
 // Bisection: nothing fires at `start`, something does where the stepper stands. A function that jumps may do so to
 // its VALUE, so that being there is no sign of having found the moment.
-const MechanismSensor* SensorWatch::step(std::unique_ptr<Stepper>& stepper, Real time) const {
+const MechanismSensor* SensorWatch::step(std::unique_ptr<Stepper>& stepper, Real time) {
     constexpr int Halvings = 40;
     Values before = calcValues(stepper->getState());
     State start = stepper->getState();
     stepper->step(time);
-    const MechanismSensor* firing = findFiring(before, calcValues(stepper->getState()));
-    if (!firing || findFiring(before, before)) return firing;
+    Values now = calcValues(stepper->getState());
+    if (!isAnyFiring(before, now) || isAnyFiring(before, before)) return update(before, now);
     for (int k = 0; k < Halvings; ++k) {
         const Real middle = (start.getTime() + stepper->getState().getTime()) / 2;
         std::unique_ptr<Stepper> trial = m_makeStepper(start);
         while (trial->getState().getTime() < middle) trial->step(middle);
         const Values there = calcValues(trial->getState());
-        if (const MechanismSensor* earlier = findFiring(before, there)) {
-            firing = earlier;
+        if (isAnyFiring(before, there)) {
+            now = there;
             stepper = std::move(trial);
         } else {
             before = there;
             start = trial->getState();
         }
     }
-    return firing;
+    return update(before, now);
 }
 
 }  // namespace jprim

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "jprim/simulation/simulate.h"
 #include "simulation/stepper.h"
 
 namespace jprim {
@@ -15,23 +16,28 @@ class SensorWatch {
 public:
     using MakeStepper = std::function<std::unique_ptr<Stepper>(const SimTK::State&)>;
 
+    /// @param states       of the mechanism's sensors, kept up to date; must outlive the watch
     /// @param makeStepper  one that goes on from a State, by which a step is taken again in parts
-    SensorWatch(const Mechanism& mechanism, MakeStepper makeStepper)
-        : m_mechanism(mechanism), m_makeStepper(std::move(makeStepper)) {}
+    SensorWatch(const Mechanism& mechanism, std::vector<SensorState>& states, MakeStepper makeStepper)
+        : m_mechanism(mechanism), m_states(states), m_makeStepper(std::move(makeStepper)) {}
 
     /// One step, which does not go beyond `time`. If a sensor fires in it, the stepper is replaced by one that
     /// stands where the first sensor has just become true: where its function has come within ERROR of VALUE, or
-    /// right behind a jump. A sensor that was true before the step fires at the end of it.
-    /// @returns the sensor that fires, or null
-    const MechanismSensor* step(std::unique_ptr<Stepper>& stepper, SimTK::Real time) const;
+    /// right behind a jump. An armed sensor that was true before the step fires at the end of it. All that are true where
+    /// one fires have fired.
+    /// @returns the sensor that fires, of several one with HALT if there is one; or null
+    const MechanismSensor* step(std::unique_ptr<Stepper>& stepper, SimTK::Real time);
 
 private:
     using Values = std::vector<SimTK::Real>;  // of the sensors' functions, less VALUE
 
     Values calcValues(const SimTK::State& state) const;
-    const MechanismSensor* findFiring(const Values& before, const Values& now) const;
+    bool isFiring(size_t sensor, const Values& before, const Values& now) const;
+    bool isAnyFiring(const Values& before, const Values& now) const;
+    const MechanismSensor* update(const Values& before, const Values& now);
 
     const Mechanism& m_mechanism;
+    std::vector<SensorState>& m_states;
     MakeStepper m_makeStepper;
 };
 

@@ -14,6 +14,7 @@
 #include "simulation/energy_watch.h"
 #include "simulation/equation_access.h"
 #include "simulation/failure.h"
+#include "simulation/output_times.h"
 #include "simulation/reaction_watch.h"
 #include "simulation/recorder.h"
 #include "simulation/redundancy.h"
@@ -70,22 +71,25 @@ public:
           m_recorder(mechanism),
           m_energy(mechanism, options.accuracy, m_outcome.summary),
           m_reactions(mechanism),
-          m_watch(mechanism, [this](const State& state) { return makeStepperFrom(state); }) {}
+          m_watch(mechanism, m_outcome.sensors,
+                  [this](const State& state) { return makeStepperFrom(state); }) {}
 
     SimulationOutcome run(const State& initial) {
         const double second = m_mechanism.getUnits().time, start = initial.getTime() / second;
         checkOptions(m_options, start);
+        const OutputTimes times(m_options, start);
+        m_outcome.sensors = m_options.sensors;
+        m_outcome.sensors.resize(m_mechanism.getSensors().size(), SensorState::Armed);
         const auto started = std::chrono::steady_clock::now();
         State prepared = initial;
         prepare(prepared);
         m_stepper = makeStepperFrom(prepared);
         try {
-            for (int k = 0; k <= m_options.steps && !m_firing; ++k) {
-                const double fraction = k == 0 ? 0 : double(k) / m_options.steps;
-                const double time = start + (m_options.end - start) * fraction;
-                if (k > 0) stepTo(k == m_options.steps ? m_options.end * second : time * second);
+            for (int k = 0; k <= times.getNumSteps() && !m_firing; ++k) {
+                if (k > 0) stepTo(times.getTime(k) * second);
                 record();
-                if (m_options.reportProgress) m_options.reportProgress(fraction);
+                if (m_options.reportProgress)
+                    m_options.reportProgress(k == 0 ? 0 : double(k) / times.getNumSteps());
             }
         } catch (const std::exception& exception) {
             m_outcome.failure = describeFailure(m_mechanism, m_stepper->getState(), exception.what());

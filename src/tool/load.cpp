@@ -54,7 +54,8 @@ LoadedCommands loadCommands(const std::string& path, Formulation formulation) {
     std::filesystem::path model = std::filesystem::path(loaded.file.folder) / loaded.file.model;
     if (!model.has_extension()) model += ".adm";
     const auto switches = [](const Command& command) {
-        return std::holds_alternative<ActivateCommand>(command);
+        const auto* const activate = std::get_if<ActivateCommand>(&command);
+        return activate && activate->kind != ElementKind::Sensor;
     };
     if (std::any_of(loaded.file.commands.begin(), loaded.file.commands.end(), switches))
         formulation = Formulation::Constraints;

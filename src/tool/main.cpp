@@ -58,7 +58,9 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
         ->capture_default_str();
     auto* steps = command.add_option("--steps", arguments.steps, "Number of output steps (100)");
     steps->check(CLI::PositiveNumber);
-    command.add_option("--dtout", arguments.dtout, "Length of an output step, in the dataset's unit")
+    command
+        .add_option("--dtout", arguments.dtout,
+                    "Length of an output step, in the dataset's unit; the end is written too")
         ->check(PositiveTime)
         ->excludes(steps);
     command

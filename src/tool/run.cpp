@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "jprim/base/error.h"
@@ -41,17 +40,6 @@ void printSummary(const Model& model, const SimulationSummary& s) {
     fmt::print("wall time                {:.3f} s\n", s.wallSeconds);
 }
 
-// An output step that does not divide the run leaves its end out; better to say so before a long run.
-std::optional<int> chooseSteps(const RunArguments& arguments) {
-    if (arguments.end == 0) return 0;
-    if (arguments.dtout == 0) return arguments.steps > 0 ? arguments.steps : SimulationOptions().steps;
-    const double steps = std::round(arguments.end / arguments.dtout);
-    if (!(steps >= 1 && steps <= 1e9) ||
-        std::abs(steps * arguments.dtout - arguments.end) > 1e-9 * arguments.end)
-        return std::nullopt;
-    return int(steps);
-}
-
 // Energy that nothing explains is an error of the integration.
 void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism,
                        const SimulationSummary& summary) {
@@ -70,6 +58,11 @@ SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
     options.kind = arguments.statics ? SimulationKind::Statics : SimulationKind::Automatic;
     if (arguments.redundant == "drop") options.redundancy = Redundancy::Drop;
     options.end = arguments.end;
+    if (arguments.end == 0)
+        options.steps = 0;
+    else if (arguments.steps > 0)
+        options.steps = arguments.steps;
+    if (arguments.dtout > 0) options.outputStep = arguments.dtout;
     options.accuracy = arguments.accuracy;
     options.constraintTolerance = arguments.constraintTolerance;
     if (arguments.maximumStep) options.maximumStep = *arguments.maximumStep;
@@ -78,13 +71,11 @@ SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
     return options;
 }
 
-SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism, int steps) {
+SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism) {
     AssembledState initial = assemble(mechanism);
     if (arguments.start == "equilibrium") initial.state = findEquilibrium(mechanism, initial.state);
     ProgressBar bar(!arguments.quiet);
-    SimulationOptions options = makeOptions(arguments, bar);
-    options.steps = steps;
-    return simulate(mechanism, initial, options);
+    return simulate(mechanism, initial, makeOptions(arguments, bar));
 }
 
 // What the arguments lack or have too much of, or empty.
@@ -97,10 +88,7 @@ std::string findMisuse(const RunArguments& arguments) {
                      "are for datasets"
                    : "";
     }
-    if (arguments.end == 0 && !arguments.statics) return "--end is required";
-    if (!chooseSteps(arguments))
-        return fmt::format("--end {} is not a multiple of --dtout {}", arguments.end, arguments.dtout);
-    return "";
+    return arguments.end == 0 && !arguments.statics ? "--end is required" : "";
 }
 
 void printResultsLine(const RunArguments& arguments) {
@@ -116,7 +104,7 @@ ExitCode runDataset(const RunArguments& arguments) {
     try {
         // Before the simulation, not after it, is the time to learn that nothing can be written.
         if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
-        outcome = simulateModel(arguments, *model.mechanism, *chooseSteps(arguments));
+        outcome = simulateModel(arguments, *model.mechanism);
         if (!outcome.failure.empty()) printError(arguments.model, outcome.failure);
         if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
     } catch (const std::exception& error) {

@@ -113,8 +113,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Vector", "VARIABLE/1,FUNCTION=UVX(20)",
              "11:21: error: VARIABLE/1: the function is a vector; it must be a number\n"},
         Case{"UserOfAMistake", "VARIABLE/1,FUNCTION=DX(99)\nGCON/1,FUNCTION=DX(20)+VARVAL(1)",
-             "12:24: error: GCON/1: in VARIABLE/1: MARKER/99 does not exist\n"
-             "11:24: error: VARIABLE/1: MARKER/99 does not exist\n"},
+             "11:24: error: VARIABLE/1: MARKER/99 does not exist\n"
+             "12:24: error: GCON/1: in VARIABLE/1: MARKER/99 does not exist\n"},
         Case{
             "Load",
             "JPRIM/1,ATPOINT,I=20,J=10\nVARIABLE/1,FUNCTION=JPRIM(1,0,2)\nSFORCE/1,ROTATIONAL,I=30,J=10\n"

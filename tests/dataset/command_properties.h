@@ -36,13 +36,8 @@ inline std::string findBrokenCommandProperty(std::string_view text) {
     const CommandFile file = readCommands(text, diagnostics);
     const std::string misplaced = findMisplaced(text, diagnostics);
     if (!misplaced.empty()) return misplaced;
-    double time = 0;
-    for (const Command& command : file.commands) {
+    for (const Command& command : file.commands)
         if (!std::visit([](const auto& c) { return isSound(c); }, command)) return "a command is not sound";
-        const auto* const simulate = std::get_if<SimulateCommand>(&command);
-        if (simulate && simulate->end && *simulate->end <= time) return "time does not increase";
-        if (simulate) time = simulate->end.value_or(time + simulate->duration.value_or(0));
-    }
     if (!hasErrors(diagnostics) && (file.model.empty() || file.output.empty())) return "a name is empty";
     return {};
 }

@@ -38,8 +38,10 @@ TEST(DatasetErrors, Statements) {
 
 TEST(DatasetErrors, StatementsNotSupportedYet) {
     for (const std::string keyword :
-         {"MATRIX", "CURVE", "PTCV", "CVCV",   "CONTACT", "FRICTION", "BEAM",   "FIELD",   "NFORCE",  "ARRAY",
-          "DIFF",   "LSE",   "GSE",  "TFSISO", "UCON",    "FE_PART",  "PINPUT", "POUTPUT", "SURFACE", "TIRE"})
+         {"MATRIX",  "CURVE",     "PTCV",    "CVCV",        "CONTACT",    "FRICTION", "BEAM",
+          "FIELD",   "NFORCE",    "ARRAY",   "DIFF",        "LSE",        "GSE",      "TFSISO",
+          "UCON",    "FE_PART",   "SURFACE", "TIRE",        "FE_LOAD",    "FE_NODE",  "FE_SECTION",
+          "FEMDATA", "CLEARANCE", "MFORCE",  "PLANT_STATE", "ENVIRONMENT"})
         EXPECT_EQ(readInModel(keyword + "/1, QQQ=(1,2").findings,
                   "3:1: error: " + keyword + " is not supported yet");
 }
@@ -249,18 +251,33 @@ TEST(DatasetErrors, PrimitivesAndJoints) {
 TEST(DatasetErrors, Requests) {
     check({
         {"nothing to write", "REQUEST/1, I=1",
-         "3:1: error: REQUEST/1 needs DISPLACEMENT, VELOCITY, ACCELERATION, FORCE or expressions F2 to F8"},
+         "3:1: error: REQUEST/1 needs DISPLACEMENT, VELOCITY, ACCELERATION, FORCE or expressions F1 to F8"},
         {"no I", "REQUEST/1, D, J=1", "3:1: error: REQUEST/1 needs I: I="},
         {"both forms", "REQUEST/1, FORCE, I=1, F2=1",
-         "3:1: error: REQUEST/1 takes FORCE or expressions F2 to F8, not both"},
+         "3:1: error: REQUEST/1 takes FORCE or expressions F1 to F8, not both"},
         {"two types", "REQUEST/1, D, V, I=1",
          "3:15: error: REQUEST/1 cannot be both DISPLACEMENT and VELOCITY"},
         {"markers that do not exist", "REQUEST/1, D, I=97, J=98, RM=99",
          "3:17: error: I of REQUEST/1: there is no MARKER/97\n3:23: error: J of REQUEST/1: there is no "
          "MARKER/98\n"
          "3:30: error: RM of REQUEST/1: there is no MARKER/99"},
-        {"column of the magnitude", "REQUEST/1, F1=QQQ",
-         "3:12: error: unknown argument 'F1' of REQUEST/1; did you mean F2?"},
+        {"no such component", "REQUEST/1, F9=QQQ",
+         "3:12: error: unknown argument 'F9' of REQUEST/1; did you mean F1?"},
+        {"open quotes", "REQUEST/1, CNAMES=\"a\", \"QQQ, F2=1",
+         "3:24: error: CNAMES of REQUEST/1: the closing quote of '\"QQQ' is missing"},
+        {"quotes over two lines", "REQUEST/1, F2=1, CNAMES=\"QQQ\n, QQQ\"",
+         "3:25: error: CNAMES of REQUEST/1: the closing quote of '\"QQQ' is missing"},
+        {"text behind quotes", "REQUEST/1, CNAMES=\"a\" QQQ, F2=1",
+         "3:22: error: CNAMES of REQUEST/1: a comma is missing after '\"a\"'"},
+        {"a name too many", "REQUEST/1, CUNITS=a,b,c,d,e,f,g,h,QQQ, F2=1",
+         "3:12: error: CUNITS of REQUEST/1 takes at most 8 names, not 9"},
+        {"comma behind a list", "REQUEST/1, F2=1, CLABELS=\"a\",",
+         "3:29: error: REQUEST/1 ends in a comma; an argument is missing"},
+        {"two results names", "REQUEST/1, RESULTS_NAME=a, QQQ, F2=1",
+         "3:28: error: unknown argument 'QQQ' of REQUEST/1"},
+        {"arguments that are not supported", "REQUEST/1, VARIABLES=1,2, ROUTINE=QQQ",
+         "3:12: error: VARIABLES of REQUEST/1 is not supported yet\n"
+         "3:27: error: ROUTINE of REQUEST/1 is not supported yet"},
         {"expression twice", "REQUEST/1, F2=1\\F2=2", "3:17: error: F2 of REQUEST/1 is given twice"},
         {"empty expression", "REQUEST/1, F2=\\F3=1", "3:12: error: F2 of REQUEST/1 is empty"},
         {"comma at the end", "REQUEST/1, F2=MAX(1, \\F3=2",

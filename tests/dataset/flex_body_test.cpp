@@ -65,8 +65,8 @@ TEST(DatasetFlexBody, FileNamesMayBeQuoted) {
 
 TEST(DatasetFlexBody, FileNamesThatAreNone) {
     const std::string rule =
-        " is not a file name; one with blanks stands in quotes, and none has a comma, semicolon, & or ! "
-        "in it";
+        " is not a file name; one with blanks stands in quotes, one with a comma, semicolon, & or ! in double "
+        "ones";
     for (const std::string name : {"", "''", "\"", "'a", "a'", "'a\"", "'a'b'", "'it's'", "a b", "a\tb"}) {
         std::string shown = name;
         std::replace(shown.begin(), shown.end(), '\t', '?');

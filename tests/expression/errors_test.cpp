@@ -93,8 +93,9 @@ TEST(ExpressionErrors, Names) {
         {"1+MODE", "2: MODE is not supported"},
         {"FRICTION()", "0: FRICTION is not supported"},
     });
-    for (const char* name : {"ARYVAL", "CURVE", "DELAY", "DIF", "DIF1", "INTERP", "INVPSD", "PINVAL",
-                             "POUVAL", "SENVAL", "USER"})
+    for (const char* name :
+         {"ARYVAL", "BEAM",   "CONTACT", "CURVE",  "CVCV",   "DELAY",  "DIF",  "DIF1",   "FIELD", "FXFREQ",
+          "FXMODE", "INTERP", "INVPSD",  "NFORCE", "PINVAL", "POUVAL", "PTCV", "SENVAL", "USER"})
         EXPECT_EQ(findError(std::string(name) + "(1)"), "0: " + std::string(name) + " is not supported");
 }
 

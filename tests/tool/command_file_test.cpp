@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "tool/tool_fixture.h"
 
@@ -27,6 +29,73 @@ TEST_F(Tool, CommandFilesRunAndWriteOneSetOfFiles) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("SIMULATE/DYNAMICS from 0.2 to 0.4"), std::string::npos) << outcome.out;
     EXPECT_EQ(countLines(readFile(m_folder / "o" / "requests.csv")), 1u + 5u);
+}
+
+std::vector<double> readTimes(const fs::path& table) {
+    std::istringstream lines(readFile(table));
+    std::vector<double> times;
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) times.push_back(std::stod(line));
+    return times;
+}
+
+// A first run that is shorter than its output step, as Adams/View writes it.
+TEST_F(Tool, OutputStepsNeedNotDivideARun) {
+    const std::string model = write("model.adm", Pendulum), out = (m_folder / "o").string();
+    const std::string commands = write("model.acf",
+                                       "model\nresults\nSIMULATE/DYNAMICS, END=4.0E-03, DTOUT=5.0E-02\n"
+                                       "SIMULATE/DYNAMICS, END=0.13, DTOUT=5.0E-02\nSTOP\n");
+    EXPECT_EQ(run("run " + commands + " --quiet --out " + out).exitCode, 0);
+    const std::vector<double> expected = {0, 0.004, 0.054, 0.104, 0.13};
+    const std::vector<double> written = readTimes(m_folder / "o" / "requests.csv");
+    ASSERT_EQ(written.size(), expected.size());
+    for (size_t k = 0; k < written.size(); ++k) EXPECT_DOUBLE_EQ(written[k], expected[k]);
+    EXPECT_EQ(run("run " + model + " --end 1 --dtout 0.3 --quiet --out " + out).exitCode, 0);
+    const std::vector<double> times = readTimes(m_folder / "o" / "requests.csv");
+    ASSERT_EQ(times.size(), 5u);
+    EXPECT_DOUBLE_EQ(times[3], 0.9);
+    EXPECT_EQ(times[4], 1);
+}
+
+TEST_F(Tool, RequestsAreCalledByTheirNames) {
+    std::string named = Pendulum;
+    named.replace(named.find("REQUEST/1,"), 10,
+                  "REQUEST/1\n, CNAMES = \"\", \"swing, or turn\"\n, RESULTS_NAME = arm\n, ");
+    const Outcome outcome = run("run " + write("named.adm", named) + " --end 0.1 --steps 1 --quiet --out " +
+                                (m_folder / "o").string());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    const std::string text = readFile(m_folder / "o" / "requests.csv");
+    EXPECT_EQ(text.substr(0, text.find('\n')), "time,\"arm.swing, or turn\"");
+}
+
+// A SENSOR is switched without giving up the tree.
+TEST_F(Tool, ASensorReturnsAndTheNextCommandGoesOn) {
+    std::string watched = Pendulum;
+    watched.insert(watched.find("REQUEST/1"), "SENSOR/1,LE,VALUE=-30D,RETURN,FUNCTION=AZ(21,10)\n");
+    write("model.adm", watched);
+    const std::string commands = write("model.acf",
+                                       "model\nresults\nINFO/LIST\nSIMULATE/DYNAMICS, END=2, STEPS=2\n"
+                                       "SIMULATE/DYNAMICS, END=1, STEPS=1\nDEACTIVATE/SENSOR, ID=1\n"
+                                       "SIMULATE/DYNAMICS, END=3, STEPS=1\nSTOP\n");
+    const Outcome outcome = run("run " + commands + " --out " + (m_folder / "o").string());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("model.acf:3:1: warning: INFO is not supported and is left out"),
+              std::string::npos);
+    EXPECT_NE(outcome.out.find("ended by                 SENSOR/1"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(" to 1\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("SIMULATE/DYNAMICS from 1 to 3\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Tool, CommandsThatAreNotSupportedAreSaidToBeThat) {
+    write("model.adm", Pendulum);
+    const Outcome outcome =
+        run("run " + write("model.acf", "model\n\nLINEAR/EIGENSOL\nMOTION/1, FUNCTION=0\nSIMLATE/STA\n"));
+    EXPECT_EQ(outcome.exitCode, 3);
+    for (const char* message : {":3:1: error: LINEAR is not supported in a command file",
+                                ":4:1: error: MOTION is not supported in a command file",
+                                ":5:1: error: 'SIMLATE' is not a command"})
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
 }
 
 TEST_F(Tool, AFailingCommandIsNamedByItsLine) {

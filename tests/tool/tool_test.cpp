@@ -148,7 +148,6 @@ TEST_F(Tool, WrongUsageExitsWith2) {
                                             ok + " --constraint-tolerance 1",
                                             ok + " --max-step 0",
                                             ok + " --max-step nan",
-                                            ok + " --dtout 0.3",
                                             ok + " --dtout nan",
                                             ok + " --accuracy nan",
                                             "run " + model + " --end nan",

@@ -35,7 +35,7 @@ struct BuildOptions {
 /// MODES_FILE that cannot be read, a NODE_ID that is not in it.
 ///
 /// @param      dataset      as read without errors
-/// @param[out] diagnostics  findings are appended
+/// @param[out] diagnostics  findings are appended in the order of the file, mistakes of all kinds together
 /// @param      options      how to build it
 /// @returns the mechanism, or nothing if an error was found
 std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics,

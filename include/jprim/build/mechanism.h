@@ -101,6 +101,8 @@ struct LoadElement {
 /// A REQUEST that can be evaluated.
 struct MechanismRequest {
     int id = 0;
+    std::string resultsName;          ///< what results call it, if not "R7"
+    std::vector<std::string> cnames;  ///< and its eight components; an empty name stands for the usual one
     RequestType type = RequestType::Displacement;
     Marker I;
     Marker J;                         ///< on ground if the dataset names none
@@ -110,7 +112,7 @@ struct MechanismRequest {
     std::vector<std::pair<int, ExpressionMeasure>> functions;
 };
 
-/// A SENSOR: ends a run where it fires.
+/// A SENSOR: ends a run where it fires, if it has HALT or RETURN.
 struct MechanismSensor {
     std::string name;
     ExpressionMeasure function;  ///< in the dataset's units
@@ -118,6 +120,7 @@ struct MechanismSensor {
     double error = 0;
     SensorComparison comparison = SensorComparison::Equal;
     bool halt = false;  ///< ends the whole run, not just the command that runs
+    bool ends = true;   ///< false of one without HALT and RETURN, which does nothing
 };
 
 /// A coordinate with given values at the start: IC of a JOINT, ICDISP and ICVEL of a MOTION.

@@ -30,16 +30,17 @@ enum class Analysis {
 struct SimulateCommand {
     SourcePosition where;
     Analysis analysis = Analysis::Dynamics;
-    std::optional<double> end;       ///< END: the time at the end, later than the time before
+    std::optional<double> end;       ///< END: the time at the end, positive, from the beginning of all
     std::optional<double> duration;  ///< DURATION: the time from here to the end, positive
     std::optional<int> steps;        ///< STEPS: how many equal output steps, at least 1
-    std::optional<double> dtout;     ///< DTOUT: the size of an output step, positive
+    /// DTOUT: the size of an output step, positive. The end is written too, after a shorter step if need be.
+    std::optional<double> dtout;
     /// How far InitialConditions go: to displacements, also to velocities, also to accelerations.
     MotionLevel level = MotionLevel::Acceleration;
 };
 
 /// The kinds of statement that can be switched off and on.
-enum class ElementKind { Jprim, Joint, Gcon, Motion };
+enum class ElementKind { Jprim, Joint, Gcon, Motion, Sensor };
 
 /// The ids from `first` to `last`, both included. One id if they are equal; else those of them that exist.
 struct IdRange {

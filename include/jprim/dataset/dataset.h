@@ -107,7 +107,11 @@ struct MarkerStatement {
 
 enum class RequestType { Displacement, Velocity, Acceleration, Force, Expressions };
 
-/// REQUEST: what to write out. For Expressions the functions are kept unparsed, F2 … F8.
+/// REQUEST: what to write out. For Expressions the functions are kept unparsed, F1 … F8.
+///
+/// A request has eight components: F1 … F8, or for the other types the magnitude, x, y, z, then the same of the
+/// rotation. The k-th name of a list belongs to the k-th component; an empty one says nothing, as does the end of a
+/// list. The lists change no value.
 struct RequestStatement {
     SourcePosition where;
     int id = 0;
@@ -117,6 +121,11 @@ struct RequestStatement {
     int rm = 0;  ///< ground axes if 0
     std::string comment;
     std::string title;
+    std::string resultsName;           ///< RESULTS_NAME, by which results call the request
+    std::vector<std::string> cnames;   ///< CNAMES: what results call each component
+    std::vector<std::string> cunits;   ///< CUNITS: what each is, "angle"
+    std::vector<std::string> clabels;  ///< CLABELS: titles of the components in plots
+    std::vector<std::string> ctitle;   ///< CTITLE: likewise
     std::vector<std::pair<int, ExpressionText>> expressions;  ///< (2, "DX(1,2)") for F2=DX(1,2)
 };
 
@@ -154,7 +163,8 @@ struct SensorStatement {
 };
 
 /// A statement that changes no motion, or only the numerical method: read, kept as text, otherwise ignored.
-/// GRAPHICS, MREQUEST, STRING; OUTPUT, RESULTS, DEBUG, PREFERENCES, INTEGRATOR, KINEMATICS, EQUILIBRIUM, IC.
+/// GRAPHICS, MATERIAL, MREQUEST, PINPUT, POUTPUT, STRING; OUTPUT, RESULTS, DEBUG, PREFERENCES, INTEGRATOR,
+/// KINEMATICS, EQUILIBRIUM, IC.
 struct IgnoredStatement {
     SourcePosition where;
     std::string keyword;    ///< in full and upper case

@@ -20,8 +20,10 @@ struct Table {
 };
 
 /// What a simulation recorded at its output times.
-/// - requests, after `R<id>.`: for DISPLACEMENT MAG X Y Z PSI THETA PHI, for VELOCITY VM VX VY VZ WM WX WY WZ,
-///   for ACCELERATION ACCM ACCX ACCY ACCZ WDTM WDTX WDTY WDTZ, for FORCE FM FX FY FZ TM TX TY TZ
+/// - requests, after `R<id>.` or RESULTS_NAME and a point, the name in CNAMES, and where there is none, or it is taken
+///   already: for DISPLACEMENT MAG X Y Z PSI THETA PHI, for VELOCITY VM VX VY VZ WM WX WY WZ,
+///   for ACCELERATION ACCM ACCX ACCY ACCZ WDTM WDTX WDTY WDTZ, for FORCE FM FX FY FZ TM TX TY TZ,
+///   for functions F1 … F8
 /// - reactions, after `JPRIM/<id>.I.` and `.J.` and likewise JOINT: FX FY FZ TX TY TZ, Ground axes, at the
 ///   marker
 /// - parts, after `PART/<id>.`: X Y Z of the mass centre, E0 E1 E2 E3 of the CM marker, VX VY VZ WX WY WZ in

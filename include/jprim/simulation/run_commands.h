@@ -32,7 +32,9 @@ struct CommandsOutcome {
 /// - STATICS goes to equilibrium; with an end, at each output time
 /// - INITIAL_CONDITIONS assembles and writes one row
 /// - ACTIVATE and DEACTIVATE switch constraints, and with the next SIMULATE the mechanism is assembled again
-///   close to where it is
+///   close to where it is; and sensors, which ACTIVATE arms
+///
+/// A sensor that has fired fires again only after it has been false, also in later commands.
 ///
 /// Results run on through all commands. A command that starts where another ended repeats its last row only if
 /// constraints were switched in between.

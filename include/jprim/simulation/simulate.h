@@ -21,13 +21,21 @@ enum class SimulationKind { Automatic, Dynamics, Kinematics, Statics };
 /// later ones are switched off and carry nothing; where those that are kept become dependent, others are chosen.
 enum class Redundancy { Share, Drop };
 
+/// What a SENSOR does when it is true. Armed: it fires. Fired: it has fired, and is armed again by a step at whose end
+/// it is false. Off: nothing.
+enum class SensorState { Armed, Fired, Off };
+
 struct SimulationOptions {
     Redundancy redundancy = Redundancy::Share;
     SimulationKind kind = SimulationKind::Automatic;
     double end = 0;  ///< end time, in the dataset's unit; it starts at the time of the initial state
     /// Output steps of equal length; steps + 1 rows are recorded. With 0 steps only the initial state is.
     int steps = 100;
-    double accuracy = 1e-6;  ///< relative, of the integrator
+    /// In place of steps, unless there are none: the length of an output step, in the dataset's unit. The end is recorded
+    /// too, after a shorter step if the length does not divide the run.
+    std::optional<double> outputStep;
+    std::vector<SensorState> sensors;  ///< in the order of Mechanism::getSensors(); what is missing is Armed
+    double accuracy = 1e-6;            ///< relative, of the integrator
     /// What the root mean square of constraint errors may be, in the mechanism's length unit and radians; a tenth of
     /// the accuracy if not given.
     std::optional<double> constraintTolerance;
@@ -80,10 +88,11 @@ struct SimulationOutcome {
     Results results;
     SimulationSummary summary;
     SimTK::State finalState;
+    std::vector<SensorState> sensors;  ///< at the end, in the order of Mechanism::getSensors()
     std::string failure;
 };
 
-/// Moves a mechanism on from assembled initial conditions and records it at equal intervals. Every output time
+/// Moves a mechanism on from assembled initial conditions and records it at its output times. Every output time
 /// ends a step: nothing recorded is interpolated. A sensor ends the run at the moment it fires.
 /// @throws Error if an option is out of range, or kinematics are asked for and impossible
 SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Building does not stop at the first kind of mistake: all are listed, in the order of the file, and none follows from
+// another.
+#include <gtest/gtest.h>
+
+#include "support/run_dataset.h"
+
+namespace jprim {
+namespace {
+
+/// "line:column element" of each error.
+std::vector<std::string> findPlaces(const std::string& text) {
+    Diagnostics diagnostics;
+    const std::optional<Mechanism> mechanism = testing::buildFromText(text, diagnostics);
+    EXPECT_FALSE(mechanism) << testing::formatAll(diagnostics);
+    std::vector<std::string> places;
+    for (const Diagnostic& d : diagnostics)
+        if (d.severity == Severity::Error)
+            places.push_back(std::to_string(d.where.line) + ":" + std::to_string(d.where.column) + " " +
+                             d.message.substr(0, d.message.find_first_of(" :")));
+    return places;
+}
+
+TEST(AllMistakes, AreListedInTheOrderOfTheFile) {
+    EXPECT_EQ(findPlaces("t\n"
+                         "REQUEST/1,F2=DX(20)\\F3=QQQ(1)\n"
+                         "SENSOR/1,GE,VALUE=1,HALT,FUNCTION=QQQ\n"
+                         "JOINT/1,REVOLUTE,I=21,J=10\n"
+                         "PART/1,GROUND\n"
+                         "MARKER/10\n"
+                         "PART/2,MASS=1E-250,CM=20,IP=1,1,1\n"
+                         "MARKER/20\n"
+                         "MARKER/21,REULER=0D,180D,0D\n"
+                         "  MARKER/22,ZP=0,0,0\n"
+                         "PART/3,MASS=1,CM=30,IP=1,1,1,ZG=0,0,0\n"
+                         "MARKER/30\n"
+                         "POINT_MASS/1,MASS=1,CM=40,ZG=0,0,0\n"
+                         "MARKER/40\n"
+                         "GCON/1,FUNCTION=DX(20,99)\n"
+                         "VARIABLE/1,FUNCTION=VARVAL(1)\n"
+                         "SPRINGDAMPER/1,TRANSLATIONAL,I=20,J=10,K=1\n"
+                         "SFORCE/1,TRANSLATIONAL,I=20,J=10,FUNCTION=1+[1,2,3]\n"
+                         "END\n"),
+              (std::vector<std::string>{"2:24 REQUEST/1", "3:35 SENSOR/1", "4:1 JOINT/1", "7:1 PART/2",
+                                        "10:3 MARKER/22", "11:1 PART/3", "13:1 POINT_MASS/1", "15:23 GCON/1",
+                                        "16:21 VARIABLE/1", "18:44 SFORCE/1"}));
+}
+
+// Axes that are not defined are not misaligned as well.
+TEST(AllMistakes, DoNotBringOthers) {
+    EXPECT_EQ(findPlaces("t\n"
+                         "PART/1,GROUND\n"
+                         "MARKER/10,REULER=0D,180D,0D\n"
+                         "PART/2,MASS=1,CM=20,IP=1,1,1\n"
+                         "MARKER/20\n"
+                         "MARKER/21,ZP=0,0,0\n"
+                         "PART/3,MASS=1,CM=30,IP=1,1,1,XG=0,0,0\n"
+                         "MARKER/30\n"
+                         "JOINT/1,REVOLUTE,I=21,J=10\n"
+                         "JPRIM/1,PARALLEL_AXES,I=30,J=10\n"
+                         "END\n"),
+              (std::vector<std::string>{"6:1 MARKER/21", "7:1 PART/3"}));
+}
+
+// Nothing can be said of what stands on a body without modes; but the bodies themselves are all looked at.
+TEST(AllMistakes, OfBodiesAreListedWithModesThatCannotBeRead) {
+    EXPECT_EQ(findPlaces("t\n"
+                         "PART/1,GROUND\n"
+                         "FLEX_BODY/3,MODES_FILE=QQQ.modes\n"
+                         "MARKER/31,NODE_ID=7\n"
+                         "PART/2,MASS=1E-250,CM=20,IP=1,1,1\n"
+                         "MARKER/20\n"
+                         "MARKER/21,ZP=0,0,0\n"
+                         "JPRIM/1,ATPOINT,I=31,J=20\n"
+                         "END\n"),
+              (std::vector<std::string>{"3:1 FLEX_BODY/3", "5:1 PART/2", "7:1 MARKER/21"}));
+}
+
+}  // namespace
+}  // namespace jprim
