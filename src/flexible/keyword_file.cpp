@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/keyword_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -102,6 +104,22 @@ void KeywordFile::openInclude(const std::string& name) {
 std::string KeywordFile::getParameter(const std::string& name) const {
     const auto found = m_parameters.find(name);
     return found == m_parameters.end() ? "" : found->second;
+}
+
+int KeywordFile::readId(std::string_view field, const char* what) const {
+    int id = 0;
+    std::string_view rest = field;
+    if (!takeNumber(rest, id) || !rest.empty() || id < 0)
+        fail(fmt::format("{} is not {}", quote(field), what));
+    return id;
+}
+
+double KeywordFile::readReal(std::string_view field) const {
+    double value = 0;
+    std::string_view rest = field;
+    if (!field.empty() && (!takeNumber(rest, value) || !rest.empty()))
+        fail(fmt::format("{} is not a number", quote(field)));
+    return value;
 }
 
 void KeywordFile::fail(const std::string& message) const {

@@ -36,8 +36,17 @@ public:
     /// adds no field.
     const std::vector<std::string_view>& getFields() const { return m_fields; }
 
+    /// A field as a number that is not negative. @throws Error that says the field is not `what`
+    int readId(std::string_view field, const char* what) const;
+
+    /// A field as a real; an empty one is a zero. @throws Error
+    double readReal(std::string_view field) const;
+
     /// True if the data line ends with a comma.
     bool isContinued() const { return m_isContinued; }
+
+    /// The line as messages name it: `path:line`.
+    std::string getWhere() const { return m_files.back().getWhere(); }
 
     /// Refuses the line with `path:line: message`.
     [[noreturn]] void fail(const std::string& message) const;

@@ -20,6 +20,8 @@ namespace {
 // nu below this part of the largest belongs to no mass but to rounding.
 constexpr double Massless = 1e-14;
 
+constexpr int DenseIsFaster = 400, LargestDense = 6000;  // freedoms
+
 /// What Spectra asks of inv(K - sigma M), on a factor that exists already.
 class InverseOperator {
 public:
@@ -37,13 +39,6 @@ private:
     const ShiftedStiffness& m_K;
 };
 
-[[noreturn]] void failForTooMany(int count, int available, const std::string& element) {
-    throw Error(element,
-                fmt::format("{} fixed-interface modes are wanted, but only {} freedoms with mass are "
-                            "left between the interfaces",
-                            count, available));
-}
-
 // With inv(K + s M) = F ~F the problem is the symmetric one ~F M F y = nu y, phi = F y / sqrt(nu). It needs no
 // definite M.
 Eigen::MatrixXd solveDensely(const ShiftedStiffness& K, const SparseMatrix& M, int count,
@@ -53,7 +48,9 @@ Eigen::MatrixXd solveDensely(const ShiftedStiffness& K, const SparseMatrix& M, i
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(F.transpose() * (M * F));
     const Eigen::VectorXd nu = solver.eigenvalues().reverse();
     const int available = int((nu.array() > Massless * nu[0]).count());
-    if (count > available) failForTooMany(count, available, element);
+    if (count > available)
+        throw Error(element, fmt::format("more modes are wanted than motions with mass; ask for {} fewer",
+                                         count - available));
     return F * solver.eigenvectors().rightCols(count).rowwise().reverse() *
            nu.head(count).cwiseSqrt().cwiseInverse().asDiagonal();
 }
@@ -68,45 +65,39 @@ Eigen::MatrixXd solveByLanczos(const ShiftedStiffness& K, const SparseMatrix& M,
     Spectra::SymGEigsShiftSolver<InverseOperator, Spectra::SparseSymMatProd<double>,
                                  Spectra::GEigsMode::ShiftInvert>
         solver(inverse, mass, count, subspace, -K.getShift());
-    solver.init();
-    const auto found = solver.compute(Spectra::SortRule::LargestMagn, MostRestarts, Tolerance,
-                                      Spectra::SortRule::SmallestAlge);
+    Eigen::Index found = 0;
+    try {
+        solver.init();
+        found = solver.compute(Spectra::SortRule::LargestMagn, MostRestarts, Tolerance,
+                               Spectra::SortRule::SmallestAlge);
+    } catch (const std::exception& error) {  // Spectra's, about its own small matrices
+        throw Error(element,
+                    fmt::format("the search for modes broke down ({}); look for stiffnesses or masses "
+                                "of very different sizes",
+                                error.what()));
+    }
     if (solver.info() != Spectra::CompInfo::Successful)
-        throw Error(element, fmt::format("only {} of {} fixed-interface modes were found; ask for fewer",
-                                         found, count));
+        throw Error(element, fmt::format("only {} of {} modes were found; ask for fewer", found, count));
     return solver.eigenvectors();
 }
 
 }  // namespace
 
-ShiftedStiffness::ShiftedStiffness(const SparseMatrix& K, const SparseMatrix& M, double shift,
-                                   const std::string& element)
+ShiftedStiffness::ShiftedStiffness(const SparseMatrix& K, const SparseMatrix& M, double shift)
     : m_shift(shift), m_size(int(K.rows())) {
-    if (m_size == 0) return;
-    m_factor.compute(shift == 0 ? K : SparseMatrix(K + shift * M));
-    if (m_factor.info() != Eigen::Success)
-        throw Error(element,
-                    shift == 0
-                        ? "the stiffness matrix is not positive definite with all interfaces held; a piece "
-                          "of the mesh can move freely, or the matrix is indefinite"
-                        : "stiffness and mass matrix together are not positive definite; a freedom has "
-                          "neither, or a matrix is indefinite");
+    if (m_size > 0) m_factor.compute(shift == 0 ? K : SparseMatrix(K + shift * M));
+}
+
+int calcMostModes(int freedoms) {
+    return freedoms <= LargestDense ? freedoms : freedoms / 3;
 }
 
 Eigen::MatrixXd calcLowestModes(const ShiftedStiffness& K, const SparseMatrix& M, int count,
                                 const std::string& element) {
-    constexpr int DenseIsFaster = 400, LargestDense = 6000;
     const int size = K.getSize();
     if (count == 0) return Eigen::MatrixXd(size, 0);
-    if (count > size) failForTooMany(count, size, element);
-    if (size <= DenseIsFaster || (count > size / 3 && size <= LargestDense))
-        return solveDensely(K, M, count, element);
-    if (count > size / 3)
-        throw Error(element,
-                    fmt::format("{} fixed-interface modes are wanted of {} freedoms; ask for at most "
-                                "a third",
-                                count, size));
-    return solveByLanczos(K, M, count, element);
+    const bool isDense = size <= DenseIsFaster || count > size / 3;
+    return isDense ? solveDensely(K, M, count, element) : solveByLanczos(K, M, count, element);
 }
 
 }  // namespace jprim

@@ -14,9 +14,10 @@ namespace jprim {
 /// of the default ordering on a block of 50,000 freedoms.
 class ShiftedStiffness {
 public:
-    /// @throws Error naming `element` if the sum is not positive definite
-    ShiftedStiffness(const SparseMatrix& K, const SparseMatrix& M, double shift, const std::string& element);
+    ShiftedStiffness(const SparseMatrix& K, const SparseMatrix& M, double shift);
 
+    /// False if there is no factor because the sum is not positive definite.
+    bool isDefinite() const { return m_size == 0 || m_factor.info() == Eigen::Success; }
     double getShift() const { return m_shift; }
     int getSize() const { return m_size; }
     Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const { return m_factor.solve(b); }
@@ -27,8 +28,13 @@ private:
     Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::MetisOrdering<int>> m_factor;
 };
 
+/// The most modes that calcLowestModes() finds among so many freedoms: all, or a third if there are many.
+int calcMostModes(int freedoms);
+
 /// The shapes phi of the `count` lowest solutions of K phi = lambda M phi, as columns with ~phi M phi = 1.
-/// @throws Error naming `element` if there are not so many with finite lambda, or none are found
+/// @param count    at most calcMostModes()
+/// @param element  what errors are about
+/// @throws Error if there are not so many with finite lambda, or none are found
 Eigen::MatrixXd calcLowestModes(const ShiftedStiffness& K, const SparseMatrix& M, int count,
                                 const std::string& element);
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The file is text: a line of kind and version, then words each followed by its values, last a checksum of
-// all bytes before it. Numbers have the digits that reproduce them.
+// all bytes before it, lines ending with LF. Numbers have the digits that reproduce them.
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "jprim/base/error.h"
@@ -28,6 +32,14 @@ std::uint64_t calcChecksum(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
     return hash;
+}
+
+// Copies by way of Windows end lines with CR LF.
+std::string endLinesWithLf(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') result += text[i];
+    return result;
 }
 
 //------------------------------------------------------------------------------------------ writing
@@ -91,19 +103,21 @@ public:
         expect("interfaces");
         for (int left = takeCount(); left > 0; --left) b.interfaces.push_back(take<int>());
         expect("mass");
-        b.rigid.mass = take<double>();
+        b.rigid.mass = takePositive("a mass");
         expect("center");
         b.rigid.center = takeVector();
         expect("inertia");
-        b.rigid.inertia = takeSymmetric();
+        b.rigid.inertia = takeInertia();
         expect("frequencies");
-        for (int k = 0; k < modes; ++k) b.frequencies.push_back(take<double>());
+        for (int k = 0; k < modes; ++k) b.frequencies.push_back(takePositive("a frequency"));
         expect("inertia_change");
         for (int k = 0; k < modes; ++k) b.inertiaChange.push_back(takeSymmetric());
         expect("gyroscopic");
-        for (int k = 0; k < modes * (modes - 1) / 2; ++k) b.gyroscopic.push_back(takeVector());
+        for (std::int64_t left = std::int64_t(modes) * (modes - 1) / 2; left > 0; --left)
+            b.gyroscopic.push_back(takeVector());
         for (int i = 0; i < nodes; ++i) b.nodes.push_back(takeNode(modes));
         expect("checksum");
+        checkIds(b);
         return b;
     }
 
@@ -122,15 +136,32 @@ private:
     }
 
     void checkSum() const {
-        const std::size_t at = m_text.rfind(ChecksumWord);
-        if (at == m_text.npos || m_text.back() != '\n')
+        constexpr std::size_t digits = 16;
+        const std::size_t at = m_text.rfind("\n" + std::string(ChecksumWord)) + 1;  // 0 if there is none
+        const std::size_t end = at + ChecksumWord.size() + digits + 1;
+        if (at == 0 || m_text.size() < end)
             throw Error(m_file, "is cut off; copy it again or make it again with `jprim reduce`");
         const std::string expected =
             fmt::format("{}{:016x}\n", ChecksumWord, calcChecksum(m_text.substr(0, at)));
-        if (m_text.substr(at) != expected)
+        if (m_text.substr(at, expected.size()) != expected)
             throw Error(m_file,
                         "has been changed since it was written (its checksum does not fit); copy it "
                         "again or make it again with `jprim reduce`");
+        if (m_text.size() > end)
+            throw Error(m_file,
+                        fmt::format("goes on after its last line, the checksum, for {} byte{}; delete what "
+                                    "is too much",
+                                    m_text.size() - end, m_text.size() - end == 1 ? "" : "s"));
+    }
+
+    // Ids that nodes have once, and interfaces that are nodes.
+    void checkIds(const ModalBasis& b) const {
+        std::set<int> ids;
+        for (const ModalNode& node : b.nodes)
+            if (!ids.insert(node.id).second)
+                throw Error(m_file, fmt::format("node {} is given twice", node.id));
+        for (const int id : b.interfaces)
+            if (ids.count(id) == 0) throw Error(m_file, fmt::format("interface {} is none of the nodes", id));
     }
 
     std::string_view takeWord() {
@@ -160,6 +191,13 @@ private:
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (error != std::errc() || end != word.data() + word.size())
             fail(fmt::format("a number is expected, not '{}'", word));
+        if (!std::isfinite(double(value))) fail(fmt::format("a finite number is expected, not '{}'", word));
+        return value;
+    }
+
+    double takePositive(const char* what) {
+        const double value = take<double>();
+        if (!(value > 0)) fail(fmt::format("{} is {}; it must be positive", what, value));
         return value;
     }
 
@@ -178,6 +216,27 @@ private:
     Mat33 takeSymmetric() {
         const Vec3 d = takeVector(), o = takeVector();
         return Mat33(d[0], o[0], o[1], o[0], d[1], o[2], o[1], o[2], d[2]);
+    }
+
+    // Principal moments are positive, but for a rod's own axis, and none exceeds the sum of the other two.
+    Mat33 takeInertia() {
+        constexpr double Rounding = 1e-9;  // of the largest moment
+        const Mat33 I = takeSymmetric();
+        Eigen::Matrix3d matrix;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) matrix(i, j) = I(i, j);
+        const Eigen::Vector3d m =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+        if (!(m[0] >= -Rounding * m[2] && m[1] > 0))
+            fail(fmt::format(
+                "the inertia has the principal moments {:.6g}, {:.6g}, {:.6g}; they must be positive", m[0],
+                m[1], m[2]));
+        if (!(m[2] <= m[0] + m[1] + Rounding * m[2]))
+            fail(fmt::format(
+                "the inertia is impossible: its largest principal moment {:.6g} exceeds the sum of "
+                "the others, {:.6g} and {:.6g}",
+                m[2], m[1], m[0]));
+        return I;
     }
 
     ModalNode takeNode(int modes) {
@@ -214,7 +273,7 @@ ModalBasis loadModalBasis(const std::string& file) {
     if (!stream || std::filesystem::is_directory(file)) throw Error(file, "cannot be opened");
     std::ostringstream text;
     text << stream.rdbuf();
-    const std::string content = text.str();
+    const std::string content = endLinesWithLf(text.str());
     return Reader(content, file).read();
 }
 

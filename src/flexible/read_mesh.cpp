@@ -89,10 +89,11 @@ private:
             if (found == m_rows.end() || !found->second.has[axis])
                 missing += (missing.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
         if (missing.empty()) return;
-        throw Error(m_file.getPath(),
-                    fmt::format("node {} is not free in {}; give the mesh without supports and couplings "
-                                "(*BOUNDARY, *EQUATION, *MPC, *TIE, *RIGID BODY)",
-                                node, missing));
+        throw Error(
+            m_file.getPath(),
+            fmt::format("node {} is not free in {}; the file is cut short, or the mesh has supports or "
+                        "couplings, which it must not (*BOUNDARY, *EQUATION, *MPC, *TIE, *RIGID BODY)",
+                        node, missing));
     }
 
     TextFile m_file;
@@ -115,29 +116,39 @@ RowTable makeRowTable(const MeshDefinition& definition) {
     return table;
 }
 
-// The mesh without its matrices; sets without nodes in the model are left out.
-FiniteElementMesh makeMesh(const std::string& inpFile, const MeshDefinition& definition,
-                           const RowTable& table) {
+// The mesh without its matrices.
+FiniteElementMesh makeMesh(const std::string& inpFile, MeshDefinition definition, const RowTable& table) {
     FiniteElementMesh mesh;
     mesh.model.name = getFileName(inpFile);
     mesh.model.freedomsPerNode = 3;
     for (const int id : table.nodes) mesh.model.nodes.push_back({id, definition.nodes.at(id)});
     std::vector<int> ids = table.nodes;
     std::sort(ids.begin(), ids.end());
-    for (const auto& [name, members] : definition.nodeSets) {
-        std::vector<int> kept;
+    for (const auto& [name, members] : definition.nodeSets)
         std::set_intersection(members.begin(), members.end(), ids.begin(), ids.end(),
-                              std::back_inserter(kept));
-        if (!kept.empty()) mesh.nodeSets[name] = std::move(kept);
-    }
+                              std::back_inserter(mesh.nodeSets[name]));
+    mesh.warnings = std::move(definition.warnings);
     return mesh;
+}
+
+void readMatrices(const std::string& stiffnessFile, const std::string& massFile, const RowTable& table,
+                  const std::string& remedy, FiniteElementMesh& mesh) {
+    mesh.files = {stiffnessFile, massFile, std::vector<int>(table.freedoms.size())};
+    for (std::size_t row = 0; row < table.freedoms.size(); ++row)
+        mesh.files.rows[std::size_t(table.freedoms[row])] = int(row) + 1;
+    mesh.model.stiffness = readMatrixFile(stiffnessFile, table.freedoms, remedy);
+    mesh.model.mass = readMatrixFile(massFile, table.freedoms, remedy);
 }
 
 }  // namespace
 
 const std::vector<int>& FiniteElementMesh::getNodeSet(const std::string& name) const {
     const auto found = nodeSets.find(toUpperCase(name));
-    if (found != nodeSets.end()) return found->second;
+    if (found != nodeSets.end() && !found->second.empty()) return found->second;
+    if (found != nodeSets.end())
+        throw Error(model.name, fmt::format("the node set {} has no node of an element; it is empty, or its "
+                                            "nodes are reference points or not defined",
+                                            quote(name)));
     std::string names;
     for (const auto& [other, nodes] : nodeSets) names += (names.empty() ? "" : ", ") + other;
     throw Error(model.name, fmt::format("there is no node set {}; {}", quote(name),
@@ -154,8 +165,7 @@ FiniteElementMesh readCalculixMesh(const std::string& inpFile) {
     };
     const RowTable table = DofFileReader(getBeside(".dof"), remedy, inpFile, definition).read();
     FiniteElementMesh mesh = makeMesh(inpFile, definition, table);
-    mesh.model.stiffness = readMatrixFile(getBeside(".sti"), table.freedoms, remedy);
-    mesh.model.mass = readMatrixFile(getBeside(".mas"), table.freedoms, remedy);
+    readMatrices(getBeside(".sti"), getBeside(".mas"), table, remedy, mesh);
     return mesh;
 }
 
@@ -167,8 +177,7 @@ FiniteElementMesh readAbaqusMesh(const std::string& inpFile, const std::string& 
     const MeshDefinition definition = readMeshDefinition(inpFile);
     const RowTable table = makeRowTable(definition);
     FiniteElementMesh mesh = makeMesh(inpFile, definition, table);
-    mesh.model.stiffness = readMatrixFile(stiffnessFile, table.freedoms, remedy);
-    mesh.model.mass = readMatrixFile(massFile, table.freedoms, remedy);
+    readMatrices(stiffnessFile, massFile, table, remedy, mesh);
     return mesh;
 }
 

@@ -3,55 +3,114 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/SparseCholesky>
 #include <cmath>
 
+#include "flexible/matrix_file.h"
 #include "jprim/base/error.h"
 
 namespace jprim {
 
 using SimTK::Vec3;
 
-SparseMatrix makeMatrix(const FiniteElementModel& model, const std::vector<MatrixTerm>& terms,
-                        const char* what) {
+NamedMatrix::NamedMatrix(const FiniteElementModel& model, const std::vector<MatrixTerm>& terms,
+                         const char* kind, const std::string& file, const std::vector<int>& rows)
+    : m_model(model), m_kind(kind), m_file(file), m_rows(rows) {
     const int n = model.getNumFreedoms();
     std::vector<Eigen::Triplet<double>> triplets;
     triplets.reserve(terms.size());
     for (const MatrixTerm& term : terms) {
         if (term.row < 0 || term.row >= n || term.column < 0 || term.column >= n)
-            throw Error(
-                model.name,
-                fmt::format("the {} matrix has a term in row {}, column {}; {} nodes with {} "
-                            "freedoms have rows 0 to {}",
-                            what, term.row, term.column, model.nodes.size(), model.freedomsPerNode, n - 1));
+            fail(fmt::format("has a term in row {}, column {}; {} nodes with {} freedoms have rows 0 to {}",
+                             term.row, term.column, model.nodes.size(), model.freedomsPerNode, n - 1));
         if (!std::isfinite(term.value))
-            throw Error(model.name,
-                        fmt::format("the {} matrix has a term that is not a number in row {}, column {}",
-                                    what, term.row, term.column));
+            fail("has a term that is not a number in " + nameTerm(term.row, term.column));
         triplets.emplace_back(term.row, term.column, term.value);
     }
-    SparseMatrix matrix(n, n);
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
-    return matrix;
+    m_matrix.resize(n, n);
+    m_matrix.setFromTriplets(triplets.begin(), triplets.end());
+}
+
+std::string NamedMatrix::nameFreedom(int row) const {
+    const int f = m_model.freedomsPerNode, axis = row % f;
+    return fmt::format("node {}, {}{}", m_model.nodes[std::size_t(row / f)].id,
+                       axis < 3 ? "" : "rotation about ", "xyz"[axis % 3]);
+}
+
+std::string NamedMatrix::nameRow(int row) const {
+    return fmt::format("row {} ({})", getRow(row), nameFreedom(row));
+}
+
+std::string NamedMatrix::nameTerm(int row, int column) const {
+    const std::string place =
+        fmt::format("row {}, column {} ({}", getRow(row), getRow(column), nameFreedom(row));
+    return place + (row == column ? ")" : fmt::format(" and {})", nameFreedom(column)));
+}
+
+void NamedMatrix::fail(const std::string& message) const {
+    throw Error(m_file.empty() ? m_model.name : m_file, fmt::format("the {} matrix {}", m_kind, message));
+}
+
+void NamedMatrix::failAt(int row, int column, const std::string& message) const {
+    if (m_file.empty()) fail(message);
+    std::vector<int> lines = findLinesOfTerm(m_file, getRow(row), getRow(column));
+    if (lines.empty()) lines = findLinesOfTerm(m_file, getRow(column), getRow(row));
+    if (lines.empty()) fail(message);
+    throw Error(fmt::format("{}:{}", m_file, lines[0]), fmt::format("the {} matrix {}", m_kind, message));
+}
+
+void NamedMatrix::failIndefinite(const Eigen::VectorXd& motion, const std::string& message) const {
+    // Freedoms of different units are made comparable by their own resistance.
+    Eigen::Index at = 0;
+    motion.cwiseAbs2().cwiseProduct(m_matrix.diagonal()).maxCoeff(&at);
+    fail(fmt::format("is not positive definite around {}{}", nameRow(int(at)), message));
+}
+
+Structure::Structure(const FiniteElementModel& finiteElements, const MatrixFiles& files)
+    : model(finiteElements),
+      K(model, model.stiffness, "stiffness", files.stiffness, files.rows),
+      M(model, model.mass, "mass", files.mass, files.rows) {}
+
+// With A = ~P L D ~L P, the solution of ~L P u = e_k has ~u A u = D_k: freedom k moves by 1 and those eliminated
+// before it follow as they like.
+Eigen::VectorXd findWeakestMotion(const SparseMatrix& matrix) {
+    constexpr double Small = 1e-10;  // keeps exact zeros from stopping the factorization
+    const Eigen::VectorXd diagonal =
+        matrix.diagonal().unaryExpr([](double value) { return value == 0 ? 1 : std::abs(value); });
+    const SparseMatrix shift(Eigen::VectorXd(Small * diagonal).asDiagonal());
+    const Eigen::SimplicialLDLT<SparseMatrix> factor(matrix + shift);
+    Eigen::Index weakest = 0;
+    if (factor.info() != Eigen::Success) {
+        matrix.diagonal().minCoeff(&weakest);
+        return Eigen::VectorXd::Unit(matrix.rows(), weakest);
+    }
+    const Eigen::VectorXd eliminated = factor.permutationP() * diagonal;
+    factor.vectorD().cwiseQuotient(eliminated).minCoeff(&weakest);
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(matrix.rows(), weakest);
+    return factor.permutationPinv() * Eigen::VectorXd(factor.matrixU().solve(unit));
+}
+
+Eigen::Matrix<double, 1, 6> calcRigidMotion(int axis, const Vec3& offset) {
+    Eigen::Matrix<double, 1, 6> motion = Eigen::Matrix<double, 1, 6>::Zero();
+    motion[axis] = 1;
+    if (axis >= 3) return motion;
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    motion[3 + next] = offset[last];
+    motion[3 + last] = -offset[next];
+    return motion;
 }
 
 RigidMotions makeRigidMotionsOfNode(int freedoms, const Vec3& offset) {
-    RigidMotions R = RigidMotions::Zero(freedoms, 6);
-    for (int axis = 0; axis < 3; ++axis) {
-        Vec3 w(0);
-        w[axis] = 1;
-        const Vec3 turned = w % offset;
-        R(axis, axis) = 1;
-        for (int k = 0; k < 3; ++k) R(k, 3 + axis) = turned[k];
-        if (freedoms == 6) R(3 + axis, 3 + axis) = 1;
-    }
+    RigidMotions R(freedoms, 6);
+    for (int axis = 0; axis < freedoms; ++axis) R.row(axis) = calcRigidMotion(axis, offset);
     return R;
 }
 
-RigidMotions makeRigidMotions(const FiniteElementModel& model) {
+RigidMotions makeRigidMotions(const FiniteElementModel& model, const Vec3& center) {
     RigidMotions R(model.getNumFreedoms(), 6);
     for (int i = 0; i < int(model.nodes.size()); ++i)
         R.middleRows(i * model.freedomsPerNode, model.freedomsPerNode) =
-            makeRigidMotionsOfNode(model.freedomsPerNode, model.nodes[i].position);
+            makeRigidMotionsOfNode(model.freedomsPerNode, model.nodes[i].position - center);
     return R;
 }
 

@@ -15,6 +15,8 @@
 namespace jprim {
 namespace {
 
+constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";  // that editors put before UTF-8
+
 std::string readText(const std::string& path, const std::string& remedy) {
     std::error_code code;  // a folder has no size, although it can be opened
     const std::uintmax_t size = std::filesystem::file_size(path, code);
@@ -23,6 +25,8 @@ std::string readText(const std::string& path, const std::string& remedy) {
     if (!code) file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (code || !file) throw Error(path, "cannot read the file; " + remedy);
     if (text.empty()) throw Error(path, "the file is empty; " + remedy);
+    if (text.find('\0') != text.npos) throw Error(path, "the file is no plain text; " + remedy);
+    if (text.compare(0, ByteOrderMark.size(), ByteOrderMark) == 0) text.erase(0, ByteOrderMark.size());
     return text;
 }
 
@@ -75,8 +79,12 @@ std::string_view TextFile::getLineAt(std::size_t begin) const {
     return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
 }
 
+std::string TextFile::getWhere() const {
+    return fmt::format("{}:{}", m_path, m_lineNumber);
+}
+
 void TextFile::fail(const std::string& message) const {
-    throw Error(fmt::format("{}:{}", m_path, m_lineNumber), message);
+    throw Error(getWhere(), message);
 }
 
 bool takeNumber(std::string_view& text, int& value) {

@@ -13,7 +13,7 @@ class TextFile {
 public:
     /// @param path    as messages show it
     /// @param remedy  ends the message about a missing or empty file
-    /// @throws Error
+    /// @throws Error for what cannot be read, is empty or is no text
     TextFile(std::string path, const std::string& remedy);
 
     /// Moves to the next line; false at the end.
@@ -27,6 +27,9 @@ public:
 
     const std::string& getPath() const { return m_path; }
     std::size_t getSize() const { return m_text.size(); }
+
+    /// The line as messages name it: `path:line`.
+    std::string getWhere() const;
 
     /// Refuses the line with `path:line: message`.
     [[noreturn]] void fail(const std::string& message) const;

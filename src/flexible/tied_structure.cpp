@@ -18,7 +18,7 @@ namespace {
 class Tie {
 public:
     Tie(const FiniteElementModel& model, const std::vector<InterfacePoint>& interfaces)
-        : m_model(model), m_interfaceOfNode(model.nodes.size(), -1) {
+        : m_model(model), m_interfaces(interfaces), m_interfaceOfNode(model.nodes.size(), -1) {
         for (int i = 0; i < int(model.nodes.size()); ++i) m_indexOfNode[model.nodes[i].id] = i;
         m_nextId = 1;
         for (const FiniteElementNode& node : model.nodes) m_nextId = std::max(m_nextId, node.id + 1);
@@ -32,7 +32,12 @@ public:
 
 private:
     [[noreturn]] void fail(int k, const std::string& what) const {
-        throw Error(m_model.name, fmt::format("interface {}: {}", k + 1, what));
+        throw Error(m_model.name, fmt::format("interface {}: {}", getName(k), what));
+    }
+
+    std::string getName(int k) const {
+        const std::string& name = m_interfaces[std::size_t(k)].name;
+        return name.empty() ? std::to_string(k + 1) : name;
     }
 
     void add(const InterfacePoint& interface, int k) {
@@ -61,7 +66,8 @@ private:
             if (found == m_indexOfNode.end()) fail(k, fmt::format("the mesh has no node {}", id));
             int& owner = m_interfaceOfNode[found->second];
             if (owner == k) continue;  // named twice
-            if (owner >= 0) fail(k, fmt::format("node {} belongs to interface {} already", id, owner + 1));
+            if (owner >= 0)
+                fail(k, fmt::format("node {} belongs to interface {} already", id, getName(owner)));
             owner = k;
             nodes.push_back(found->second);
         }
@@ -113,6 +119,7 @@ private:
     }
 
     const FiniteElementModel& m_model;
+    const std::vector<InterfacePoint>& m_interfaces;
     TiedStructure m_result;
     std::unordered_map<int, int> m_indexOfNode;
     std::vector<int> m_interfaceOfNode;

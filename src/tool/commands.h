@@ -40,8 +40,8 @@ struct CheckArguments {
 
 struct ReduceArguments {
     std::string mesh;
-    std::vector<std::string> matrices;  ///< of Abaqus: stiffness, mass; else CalculiX'
-    std::string lengthUnit = "METER";   ///< the mesh's; the file of modes is in SI
+    std::vector<std::string> matrices;      ///< of Abaqus: stiffness, mass; else CalculiX'
+    std::optional<std::string> lengthUnit;  ///< the mesh's, METER if not given; the file of modes is in SI
     std::string massUnit = "KILOGRAM";
     std::vector<std::string> interfaces;
     int modes = 0;

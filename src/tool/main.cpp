@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <climits>
 #include <cstdio>
 #include <map>
 
@@ -28,7 +31,24 @@ CLI::Validator makeRange(double above, double upTo, const std::string& meaning) 
 CLI::Validator makeUnitCheck(jprim::Quantity quantity) {
     return CLI::Validator(
         [=](const std::string& text) {
-            return jprim::findUnit(quantity, text) ? std::string() : text + " is not a unit that UNITS knows";
+            if (jprim::findUnit(quantity, text)) return std::string();
+            std::string names;
+            for (const jprim::Unit& unit : jprim::getUnits(quantity))
+                names += (names.empty() ? "" : ", ") + std::string(unit.name);
+            return text +
+                   " is none of the names that UNITS knows, or the beginning of more than one: " + names;
+        },
+        "", "");
+}
+
+// CLI11 gives the range of a double in all its digits.
+CLI::Validator makeCountCheck(int least) {
+    return CLI::Validator(
+        [=](const std::string& text) {
+            int value = 0;
+            const bool good = CLI::detail::lexical_cast(text, value) && value >= least;
+            return good ? std::string()
+                        : fmt::format("{} is not a whole number from {} to {}", text, least, INT_MAX);
         },
         "", "");
 }
@@ -57,7 +77,7 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
         ->check(CLI::IsMember({"given", "equilibrium"}))
         ->capture_default_str();
     auto* steps = command.add_option("--steps", arguments.steps, "Number of output steps (100)");
-    steps->check(CLI::PositiveNumber);
+    steps->check(makeCountCheck(1));
     command
         .add_option("--dtout", arguments.dtout,
                     "Length of an output step, in the dataset's unit; the end is written too")
@@ -106,14 +126,16 @@ void addReduceOptions(CLI::App& command, ReduceArguments& arguments) {
         ->allow_extra_args(false);
     command.add_option("--length", arguments.lengthUnit, "The mesh's unit of length, as in UNITS")
         ->check(makeUnitCheck(jprim::Quantity::Length))
-        ->capture_default_str();
+        ->default_str("METER");
     command
         .add_option("--mass", arguments.massUnit, "The mesh's unit of mass, as in UNITS; time is in seconds")
         ->check(makeUnitCheck(jprim::Quantity::Mass))
         ->capture_default_str();
-    command.add_option("--modes", arguments.modes, "Number of modes with all interfaces held")
+    command
+        .add_option("--modes", arguments.modes,
+                    "Number of modes with all interfaces held, or of free modes without interfaces")
         ->required()
-        ->check(CLI::NonNegativeNumber);
+        ->check(makeCountCheck(0));
     command.add_option("-o,--out", arguments.out, "File of modes to write")->required();
 }
 

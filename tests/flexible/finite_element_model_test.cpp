@@ -76,35 +76,63 @@ INSTANTIATE_TEST_SUITE_P(
                "beam: the mass matrix has a term in row 30, column 0; 5 nodes with 6 freedoms have rows 0 to "
                "29"},
         Damage{"NotANumber", [](FiniteElementModel& m) { m.stiffness[0].value = SimTK::NaN; },
-               "beam: the stiffness matrix has a term that is not a number in row 0, column 0"},
+               "beam: the stiffness matrix has a term that is not a number in row 0, column 0 (node 1, x)"},
         Damage{"Asymmetric",
                [](FiniteElementModel& m) {
                    m.stiffness.push_back({2, 8, 1e7});
                },
-               "beam: the stiffness matrix is not symmetric: row 8, column 2 and its mirror image differ by "
-               "-1e+07"},
-        Damage{"NegativeDiagonal",
-               [](FiniteElementModel& m) {
-                   m.mass.push_back({4, 4, -1000});
-               },
-               "beam: the mass matrix has -1e+03 on its diagonal in row 4"},
-        Damage{"IndefiniteStiffness",
-               [](FiniteElementModel& m) {
-                   m.stiffness.insert(m.stiffness.end(), {{0, 7, 1e9}, {7, 0, 1e9}});
-               },
-               "beam: the stiffness matrix is indefinite: 1e+09 in row 7, column 0 is more than its diagonal "
-               "allows, 2.14e+07"},
-        Damage{"IndefiniteMass",
-               [](FiniteElementModel& m) {
-                   m.mass.insert(m.mass.end(), {{1, 8, 50}, {8, 1, 50}});
-               },
-               "beam: the mass matrix is indefinite: 50 in row 8, column 1 is more than its diagonal "
-               "allows, 1.24"},
-        Damage{"Held",
-               [](FiniteElementModel& m) {
-                   m.stiffness.push_back({1, 1, 1e8});
-               },
-               "beam: the mesh is held: translation along y meets resistance; give it without supports"},
+               "beam: the stiffness matrix is not symmetric: row 2, column 8 (node 1, z and node 2, z) is "
+               "9.5968e+06, its mirror image -403200; a file holds one triangle or both in full"},
+        Damage{
+            "NegativeDiagonal",
+            [](FiniteElementModel& m) {
+                m.mass.push_back({4, 4, -1000});
+            },
+            "beam: the mass matrix has -1e+03 on its diagonal in row 4 (node 1, rotation about y); a diagonal term is "
+            "not negative"},
+        Damage{
+            "IndefiniteStiffness",
+            [](FiniteElementModel& m) {
+                m.stiffness.insert(m.stiffness.end(), {{0, 7, 1e9}, {7, 0, 1e9}});
+            },
+            "beam: the stiffness matrix is not positive definite: row 0, column 7 (node 1, x and node 2, y) is 1e+09, "
+            "more than the diagonal terms of the row and the column allow, 2.14e+07; one of the three is wrong"},
+        Damage{
+            "IndefiniteMass",
+            [](FiniteElementModel& m) {
+                m.mass.insert(m.mass.end(), {{1, 8, 50}, {8, 1, 50}});
+            },
+            "beam: the mass matrix is not positive definite: row 1, column 8 (node 1, y and node 2, z) is 50, more "
+            "than the diagonal terms of the row and the column allow, 1.24; one of the three is wrong"},
+        Damage{
+            "Held",
+            [](FiniteElementModel& m) {
+                m.stiffness.push_back({1, 1, 1e8});
+            },
+            "beam: the stiffness matrix meets a translation along y of the whole mesh with a force in row 1 (node 1, "
+            "y); the mesh is supported there (give it without supports), or a term of that row is wrong or missing"},
+        Damage{
+            "HeldAgainstRotation",
+            [](FiniteElementModel& m) {
+                m.stiffness.push_back({27, 27, 10});
+            },
+            "beam: the stiffness matrix holds the mesh: rotation about x meets resistance; give it without supports"},
+        Damage{
+            "MovedNode", [](FiniteElementModel& m) { std::swap(m.nodes[1].position, m.nodes[2].position); },
+            "beam: the stiffness matrix meets a rotation about z of the whole mesh with a force in row 1 (node 1, y); the mesh is supported there (give it without supports), or a term of that row is wrong or missing, or the nodes have other positions or another order"},
+        Damage{
+            "ZeroDiagonal",
+            [](FiniteElementModel& m) {
+                for (MatrixTerm& t : m.mass)
+                    if (t.row == 7 && t.column == 7) t.value = 0;
+            },
+            "beam: the mass matrix is not positive definite: there is no mass on the diagonal in row 7 (node 2, y), but in other columns"},
+        Damage{
+            "MassOfOneDirection",
+            [](FiniteElementModel& m) {
+                m.mass.push_back({7, 7, 5});
+            },
+            "beam: the mass matrix has a total of 9.42 along x, 14.42 along y, 9.42 along z; they must be the same"},
         Damage{"NoMass", [](FiniteElementModel& m) { m.mass.clear(); },
                "beam: the mesh has no mass; give a density"},
         Damage{"InPieces",
@@ -117,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
                    for (const MatrixTerm& t : other.mass)
                        m.mass.push_back({t.row + 30, t.column + 30, t.value});
                },
-               "beam: no stiffness connects node 11 with node 1; the mesh is in pieces"}),
+               "beam: the stiffness matrix connects node 11 with node 1 by no term; the mesh is in pieces"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

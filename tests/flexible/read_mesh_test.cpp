@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "jprim/flexible/reduce_to_modes.h"
 #include "support/expect_error.h"
 #include "support/mesh_folder.h"
 
@@ -50,9 +51,12 @@ TEST(ReadCalculixMesh, SetsHoldNodesOfTheModelOnly) {
     EXPECT_EQ(mesh.getNodeSet("Ends"), Ids({11, 21, 31, 41, 91, 101, 111, 121}));
     EXPECT_EQ(mesh.getNodeSet("Near"), Ids({11, 21, 31, 41, 51, 61, 71, 81}));
     EXPECT_EQ(mesh.getNodeSet("all").size(), 12u);
+    EXPECT_EQ(testing::catchError([&] { mesh.getNodeSet("Reference"); }),
+              "block.inp: the node set 'Reference' has no node of an element; it is empty, or its nodes are "
+              "reference points or not defined");
     EXPECT_EQ(
-        testing::catchError([&] { mesh.getNodeSet("Reference"); }),
-        "block.inp: there is no node set 'Reference'; there are ALL, BODY, ENDS, FAR, LEFT, NEAR, RIGHT");
+        testing::catchError([&] { mesh.getNodeSet("Top"); }),
+        "block.inp: there is no node set 'Top'; there are ALL, BODY, ENDS, FAR, LEFT, NEAR, REFERENCE, RIGHT");
     EXPECT_EQ(testing::catchError([] { FiniteElementMesh().getNodeSet("A"); }),
               ": there is no node set 'A'; the file has none");
 }
@@ -164,7 +168,8 @@ auto append(const char* file, const char* text) {
 const std::string WrittenBy =
     "CalculiX writes it when it runs block.inp with a step *FREQUENCY, SOLVER=MATRIXSTORAGE";
 const std::string NoSupports =
-    "give the mesh without supports and couplings (*BOUNDARY, *EQUATION, *MPC, *TIE, *RIGID BODY)";
+    "the file is cut short, or the mesh has supports or couplings, which it must not (*BOUNDARY, *EQUATION, *MPC, "
+    "*TIE, *RIGID BODY)";
 
 INSTANTIATE_TEST_SUITE_P(
     Each, DamagedMesh,
@@ -201,6 +206,14 @@ INSTANTIATE_TEST_SUITE_P(
                "block.sti:523: '36 36' is not `row column value`; " + WrittenBy},
         Damage{"FourNumbers", append("block.sti", "36 36 1 2\n"),
                "block.sti:523: '36 36 1 2' is not `row column value`; " + WrittenBy},
+        Damage{"TermTwice", append("block.sti", "2 2 5.\n"),
+               "block.sti:523: row 2, column 2 stands here a second time, after line 3; take one out"},
+        Damage{
+            "TermOfTheOtherTriangle", append("block.sti", "2 1 1e9\n"),
+            "block.sti:523: row 2, column 1 is below the diagonal, where only 1 of 482 terms are; the file must "
+            "hold one triangle or both in full"},
+        Damage{"Binary", [](const auto& folder) { folder.write("block.sti", std::string(8, '\0')); },
+               "block.sti: the file is no plain text; " + WrittenBy},
         Damage{"RowWithFraction", append("block.sti", "36 1.5\n"),
                "block.sti:523: '36 1.5' is not `row column value`; " + WrittenBy},
         Damage{"RowOutside", append("block.mas", "37 1 5.\n"),
@@ -221,6 +234,36 @@ INSTANTIATE_TEST_SUITE_P(
             "block.mas: there is no term in row 30, column 30; the file is cut short or belongs to another "
             "mesh"}),
     [](const auto& info) { return std::string(info.param.name); });
+
+// What the form allows and a free mesh does not have: the file, its own rows and lines.
+TEST(ReduceMesh, NamesTheMatrixFileTheRowAndTheNode) {
+    const auto expectError = [](const char* file, const char* old, const char* text,
+                                const std::string& message) {
+        const testing::MeshFolder folder;
+        folder.copyMesh("block");
+        replaceIn(file, old, text)(folder);
+        const FiniteElementMesh mesh = readCalculixMesh(folder.getPath("block.inp"));
+        EXPECT_EQ(folder.shorten(testing::catchError([&] { reduceToModes(mesh, {}, 3); })), message);
+    };
+    expectError(
+        "block.sti", "2 2  ", "2 2  -",
+        "block.sti:3: the stiffness matrix has -4.94e+10 on its diagonal in row 2 (node 11, y); a diagonal term is not negative");
+    expectError(
+        "block.sti", "1 2  ", "1 2  -",
+        "block.sti: the stiffness matrix meets a translation along y of the whole mesh with a force in row 1 (node 11, x); the mesh is supported there (give it without supports), or a term of that row is wrong or missing");
+    expectError(
+        "block.sti", "1 2  ", "1 2  1",
+        "block.sti:2: the stiffness matrix is not positive definite: row 1, column 2 (node 11, x and node 11, y) is 1.17e+11, more than the diagonal terms of the row and the column allow, 4.94e+10; one of the three is wrong");
+    expectError(
+        "block.mas", "2 2  ", "2 2  -",
+        "block.mas:3: the mass matrix has -291 on its diagonal in row 2 (node 11, y); a diagonal term is not negative");
+    expectError(
+        "block.mas", "1 4  ", "1 4  -",
+        "block.mas: the mass matrix has 690.509 along x as the sum of row 1 (node 11, x), not 981.25; a node has the same mass in x, y and z, and a term of the row is wrong or missing");
+    expectError(
+        "block.dof", "11.1\n11.2\n", "11.2\n11.1\n",
+        "block.sti: the stiffness matrix meets a translation along x of the whole mesh with a force in row 2 (node 11, x); the mesh is supported there (give it without supports), or a term of that row is wrong or missing");
+}
 
 TEST(ReadAbaqusMesh, RefusesAnotherFormatOfMatrices) {
     EXPECT_EQ(

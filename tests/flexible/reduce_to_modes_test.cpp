@@ -225,31 +225,38 @@ INSTANTIATE_TEST_SUITE_P(
                 },
                 "block: interface 1: its nodes lie on one line, and nodes of a solid mesh have no rotations; "
                 "name three or more that do not"},
-        Refusal{"TooManyModes", [] { reduceBeam({makePoint(1)}, 19); },
-                "beam: 19 fixed-interface modes are wanted, but only 18 freedoms with mass are left between "
-                "the interfaces"},
+        Refusal{
+            "TooManyModes", [] { reduceBeam({makePoint(1)}, 19); },
+            "beam: 19 fixed-interface modes are wanted, but with all interfaces held the mesh has 18 at most"},
+        Refusal{"TooManyFreeModes", [] { reduceBeam({}, 19); },
+                "beam: 19 modes are wanted, but the free mesh has 18 at most, besides the six rigid motions"},
+        Refusal{"FarTooManyModes", [] { reduceBeam({}, 2147483647); },
+                "beam: 2147483647 modes are wanted, but the free mesh has 18 at most, besides the six rigid "
+                "motions"},
         Refusal{"NegativeModes", [] { reduceBeam({makePoint(1)}, -1); },
-                "beam: -1 fixed-interface modes are wanted"},
+                "beam: -1 modes are wanted; give 0 or more"},
         Refusal{"NoModes", [] { reduceBeam({makePoint(1)}, 0); },
-                "beam: no modes are left; ask for a fixed-interface mode"},
-        Refusal{"Mechanism",
-                [] {
-                    // Two beams with a ball between the end of one and the start of the other.
-                    FiniteElementModel model = makeBeamModel(2);
-                    const FiniteElementModel other = model;
-                    for (const FiniteElementNode& node : other.nodes)
-                        model.nodes.push_back({node.id + 3, node.position + Vec3(2, 0, 0)});
-                    for (const MatrixTerm& t : other.stiffness)
-                        model.stiffness.push_back({t.row + 18, t.column + 18, t.value});
-                    for (const MatrixTerm& t : other.mass)
-                        model.mass.push_back({t.row + 18, t.column + 18, t.value});
-                    for (int a = 12; a < 15; ++a)
-                        for (const auto& [i, j] : {std::pair(a, a), {a, a + 6}, {a + 6, a}, {a + 6, a + 6}})
-                            model.stiffness.push_back({i, j, i == j ? 1e8 : -1e8});
-                    reduceToModes(model, {makePoint(1)}, 2);
-                },
-                "beam: the stiffness matrix is not positive definite with all interfaces held; a piece of "
-                "the mesh can move freely, or the matrix is indefinite"}),
+                "beam: no modes are left besides the six rigid motions; ask for one at least"},
+        Refusal{
+            "Mechanism",
+            [] {
+                // Two beams with a ball between the end of one and the start of the other.
+                FiniteElementModel model = makeBeamModel(2);
+                const FiniteElementModel other = model;
+                for (const FiniteElementNode& node : other.nodes)
+                    model.nodes.push_back({node.id + 3, node.position + Vec3(2, 0, 0)});
+                for (const MatrixTerm& t : other.stiffness)
+                    model.stiffness.push_back({t.row + 18, t.column + 18, t.value});
+                for (const MatrixTerm& t : other.mass)
+                    model.mass.push_back({t.row + 18, t.column + 18, t.value});
+                for (int a = 12; a < 15; ++a)
+                    for (const auto& [i, j] : {std::pair(a, a), {a, a + 6}, {a + 6, a}, {a + 6, a + 6}})
+                        model.stiffness.push_back({i, j, i == j ? 1e8 : -1e8});
+                reduceToModes(model, {makePoint(1)}, 2);
+            },
+            "beam: the stiffness matrix is not positive definite around row 27 (node 5, rotation about x) with all "
+            "interfaces held; supports need not be given, but a piece of the mesh must not hang loose, no term may "
+            "have the wrong sign, and both matrices must be of this mesh and its order of freedoms"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -3,10 +3,12 @@
 #define JPRIM_FLEXIBLE_REDUCE_TO_MODES_H_
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "jprim/flexible/finite_element_model.h"
 #include "jprim/flexible/modal_basis.h"
+#include "jprim/flexible/read_mesh.h"
 
 namespace jprim {
 
@@ -20,6 +22,7 @@ struct InterfacePoint {
     int id = 0;
     /// Where the point is; the mean of the nodes' positions if not given.
     std::optional<SimTK::Vec3> position;
+    std::string name = {};  ///< appears in messages; the interface's number, from 1, if empty
 };
 
 /// Craig and Bampton's reduction, made free. Its shapes are the structure's static answer to moving each
@@ -40,9 +43,14 @@ struct InterfacePoint {
 ///
 /// @throws Error naming the model and the item: whatever checkFiniteElementModel() refuses; an interface
 /// without nodes, with an unknown node, with nodes on one line, sharing a node with another; an id that is
-/// taken; more modes than the structure has; matrices that are not positive definite once it is held; a
-/// motion besides the six rigid ones that meets no resistance
+/// taken; fewer than no modes or more than the structure has; matrices that are not positive definite once it
+/// is held; a motion besides the six rigid ones that meets no resistance
 ModalBasis reduceToModes(const FiniteElementModel& model, const std::vector<InterfacePoint>& interfaces,
+                         int numFixedModes);
+
+/// The same for a mesh that was read from files: what is wrong with a matrix is said of its file, in that file's
+/// own rows and, for a term, with its line.
+ModalBasis reduceToModes(const FiniteElementMesh& mesh, const std::vector<InterfacePoint>& interfaces,
                          int numFixedModes);
 
 }  // namespace jprim
