@@ -40,14 +40,18 @@ SolvableMass MechanismBuilder::chooseMass(const PartStatement& statement, const 
         for (double& value : *part.ip) value *= units.getInertia();
 
     const Mat33 given = calcCentralInertia(part);
-    const std::string problem = findMassProblem(part.mass, given);
+    SolvableMass used{1, Mat33(1), false, false};
+    std::string problem = findMassProblem(part.mass, given);
+    if (problem.empty()) {
+        used = makeSolvable(part.mass, given, size, m_lightestMass);
+        problem = findMassProblem(used.mass, used.inertia);
+    }
     if (!problem.empty()) {
         report(Severity::Error, statement.where,
                fmt::format("PART/{}: no body can have this MASS and IP: {}; check MASS, IP, IM and CM",
                            statement.id, problem));
         return {1, Mat33(1), false, false};
     }
-    const SolvableMass used = makeSolvable(part.mass, given, size, m_lightestMass);
     const Vec3 moments = calcPrincipalMoments(used.inertia);
     const std::string oddities = describeOddities(used, used.mass / units.mass, moments / units.getInertia());
     if (hasNegativeMoment(moments))

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <optional>
 
 namespace jprim {
 
@@ -24,6 +25,25 @@ Matrix3d toEigen(const SimTK::Mat33& m) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) result(i, j) = m(i, j);
     return result;
+}
+
+// The given positions, or if they are near enough to fit the constraints those that do; nothing if there the constraints
+// cannot be told.
+std::optional<State> findPositions(const Mechanism& mechanism) {
+    constexpr double Tolerance = 1e-6;
+    const SimTK::MultibodySystem& system = mechanism.getSystem();
+    std::optional<State> found;
+    try {
+        State state = mechanism.makeGivenState();
+        system.realize(state, SimTK::Stage::Velocity);
+        found = state;
+        system.project(state, Tolerance);
+        found = state;
+    } catch (const std::exception&) {
+        // What is wrong with the positions is for those to say who look for right ones.
+    }
+    if (found) system.realize(*found, SimTK::Stage::Velocity);
+    return found;
 }
 
 // A basis of the motions that constraints allow, by columns.
@@ -64,19 +84,19 @@ Matrix3d calcNegativePart(const Matrix3d& inertia) {
 std::vector<bool> findHarmful(const Mechanism& mechanism, const std::vector<NegativeInertia>& inertias) {
     constexpr double Nothing = 1e-6, Noise = 1e-9;  // of the energy with moments taken positive
     const SimTK::SimbodyMatterSubsystem& matter = mechanism.getMatter();
-    const State state = mechanism.makeGivenState();
-    mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
-    const MatrixXd Z = calcAllowedMotions(matter, state);
     std::vector<bool> harmful(inertias.size(), false);
+    const std::optional<State> state = findPositions(mechanism);
+    if (!state) return harmful;
+    const MatrixXd Z = calcAllowedMotions(matter, *state);
     if (Z.cols() == 0) return harmful;
 
     Matrix M;
-    matter.calcM(state, M);
+    matter.calcM(*state, M);
     const MatrixXd energy = Z.transpose() * toEigen(M) * Z;
     MatrixXd positive = energy;
     std::vector<MatrixXd> turns;
     for (const NegativeInertia& negative : inertias) {
-        turns.push_back(calcTurns(negative.body, state, Z));
+        turns.push_back(calcTurns(negative.body, *state, Z));
         positive += 2 * turns.back().transpose() * calcNegativePart(toEigen(negative.inertia)) * turns.back();
     }
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(energy, positive);

@@ -14,9 +14,9 @@ struct NegativeInertia {
     SimTK::Mat33 inertia;  ///< about the mass centre, in the body's axes
 };
 
-/// Which of them take all kinetic energy from a motion that the constraints allow in the given positions: then the
-/// mechanism has no accelerations. It is the mechanism's coordinates that count: a part that only turns about z may have
-/// any moment about x.
+/// Which of them take all kinetic energy from a motion that the constraints allow in the given positions, or in those
+/// nearby that fit: then the mechanism has no accelerations. It is the mechanism's coordinates that count: a part that
+/// only turns about z may have any moment about x.
 ///
 /// The energy of a motion is held against what it would be with all negative moments taken positive, so that it does
 /// not matter how large or heavy anything is.

@@ -108,6 +108,13 @@ TEST(PartInertia, ImpossibleOnesAreErrorsAtThePart) {
         formatAll(diagnostics),
         "2:1: error: PART/2: no body can have this MASS and IP: mass or inertia about the mass centre is too "
         "large to be a number; check MASS, IP, IM and CM\n");
+    diagnostics.clear();
+    EXPECT_FALSE(
+        buildFromText("t\nPART/2\nMARKER/20\nMARKER/21, QP=1E300,0,0\nPART/1,GROUND\nEND\n", diagnostics));
+    EXPECT_EQ(
+        formatAll(diagnostics),
+        "2:1: error: PART/2: no body can have this MASS and IP: mass or inertia about the mass centre is too "
+        "large to be a number; check MASS, IP, IM and CM\n");
 }
 
 TEST(PartInertia, MasslessPartsAreBuiltWithAWarning) {

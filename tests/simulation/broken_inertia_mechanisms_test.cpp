@@ -138,6 +138,20 @@ TEST(BrokenInertia, HalvesThatNoBodyIsMoveAsTheWhole) {
     EXPECT_EQ(compared, Compared);
 }
 
+// Each of the hinges carries the same too, whatever share of the load it is given.
+TEST(BrokenInertia, HalvesMoveAsTheWholeOnTwoHinges) {
+    const std::string door =
+        "door\nACCGRAV/JGRAV=-9.81\nPART/1,GROUND\nMARKER/1\nMARKER/2,QP=0,0,1.3\n"
+        "PART/2,MASS=3,CM=20,IP=1,1.2,1.4,-0.2,0.3,-0.4,WZ=1\nMARKER/20,QP=0.4,0.1,0.3\nMARKER/21\n"
+        "MARKER/22,QP=0,0,1.3\nJOINT/1,REVOLUTE,I=21,J=1\nJOINT/2,REVOLUTE,I=22,J=2\n"
+        "SFORCE/1,ROTATIONAL,I=21,J=1,FUNCTION=1+0.3*TIME\nEND\n";
+    for (const Formulation formulation : Both) {
+        const Differences differences = compareWithHalves(door, 1, formulation);
+        EXPECT_LE(differences.motion, SameMotion);
+        EXPECT_LE(differences.reactions, SameReactions);
+    }
+}
+
 // In the tree both have the same states and take the same steps, otherwise each has its own errors.
 TEST(BrokenInertia, HalvesMoveAsTheWholeWithEveryIntegrator) {
     constexpr double Coarse = 1e-5;
