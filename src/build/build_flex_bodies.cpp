@@ -56,11 +56,10 @@ void MechanismBuilder::addFlexBody(const FlexBodyStatement& statement) {
     FlexibleBodyOptions options;
     if (statement.constantCoupling) options.coupling = InertiaCoupling::Constant;
     if (statement.cratio) options.dampingRatios.assign(basis.frequencies.size(), *statement.cratio);
-    try {
+    attempt(part.name, statement.where, [&] {
         part.flexible.emplace(m_mechanism.m_bodies->matter, m_mechanism.m_bodies->forces, basis, options);
-    } catch (const Error& error) {
-        return report(Severity::Error, statement.where, error.what());
-    }
+    });
+    if (!part.flexible) return;
     part.body = part.flexible->getBody();
     part.cm = Marker(part.body);
     part.bcs = Marker(part.body, Transform(-inUnits.rigid.center));

@@ -7,13 +7,12 @@
 #include "build/frames.h"
 #include "build/mechanism_builder.h"
 #include "build/mobilizers.h"
-#include "build/part_mass.h"
+#include "build/negative_masses.h"
 #include "jprim/build/build_mechanism.h"
 
 namespace jprim {
 
 using SimTK::Body;
-using SimTK::Mat33;
 using SimTK::MobilizedBody;
 using SimTK::Real;
 using SimTK::Transform;
@@ -70,7 +69,15 @@ void MechanismBuilder::addPart(const PlannedMobilizer& planned) {
     const Real reach = calcReach(planned.part, X_PC.p());
     if (reach > 0) part.size = reach;
     const Transform X_BP(-X_PC.p());
-    addBody(planned, makeBody(statement, X_PC, part.size), X_BP, part);
+    const SolvableMass used = chooseMass(statement, X_PC, part.size);
+    NegativeMasses negative;
+    Body::Rigid body;
+    attempt(part.name, statement.where, [&] {
+        negative = makeNegativeMasses(used.mass, findMissingInertia(used.inertia));
+        body = Body::Rigid(makeMassProperties(used.mass, used.inertia, negative));
+    });
+    addBody(planned, body, X_BP, part);
+    weldNegativeMasses(part.body, negative);
     part.bcs = Marker(part.body, X_BP);
     part.cm = Marker(part.body, Transform(X_PC.R()));
 }
@@ -110,10 +117,11 @@ void MechanismBuilder::addPointMass(const PointMassStatement& statement) {
     if (reach > 0) part.size = reach;
 
     Real mass = statement.mass.value_or(0) * m_mechanism.m_units.mass;
-    if (mass < 0) {
-        report(Severity::Error, statement.where,
-               fmt::format("{}: MASS={} is negative", part.name, *statement.mass));
-        mass = 0;
+    const std::string problem = mass < 0 ? fmt::format("MASS={} is negative", *statement.mass)
+                                         : findMassProblem(mass, SimTK::Mat33(0));
+    if (!problem.empty()) {
+        report(Severity::Error, statement.where, fmt::format("{}: {}", part.name, problem));
+        mass = 1;
     }
     if (mass == 0) {
         mass = MasslessFraction * m_lightestMass;
@@ -153,37 +161,6 @@ void MechanismBuilder::checkGround(const PartStatement& s) {
         report(
             Severity::Warning, s.where,
             fmt::format("PART/{} is GROUND: its mass, inertia, velocities and EXACT have no effect", s.id));
-}
-
-Body::Rigid MechanismBuilder::makeBody(const PartStatement& statement, const Transform& X_PC, Real size) {
-    const UnitSystem& units = m_mechanism.m_units;
-    PartMass part{statement.mass.value_or(0) * units.mass, X_PC,
-                  statement.im == 0 ? X_PC : getMarkerPose(statement.im), statement.ip};
-    if (part.ip)
-        for (double& value : *part.ip) value *= units.getInertia();
-
-    const Mat33 given = calcCentralInertia(part);
-    const std::string problem = findMassProblem(part.mass, given, units.getInertia());
-    if (!problem.empty()) {
-        report(Severity::Error, statement.where,
-               fmt::format("PART/{}: no body can have this MASS and IP: {}; check MASS, IP, IM and CM",
-                           statement.id, problem));
-        return Body::Rigid();
-    }
-    const SolvableMass used = makeSolvable(part.mass, given, size, m_lightestMass);
-    if (used.massReplaced)
-        report(Severity::Warning, statement.where,
-               fmt::format("PART/{} has no mass; MASS={:.3g} is used so that the equations can be solved",
-                           statement.id, used.mass / units.mass));
-    else if (used.inertiaReplaced)
-        report(Severity::Warning, statement.where,
-               fmt::format(
-                   "PART/{} has no inertia about some axis; a little is used so that the equations can be "
-                   "solved",
-                   statement.id));
-    const Mat33& I = used.inertia;
-    return Body::Rigid(SimTK::MassProperties(
-        used.mass, Vec3(0), SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))));
 }
 
 }  // namespace jprim

@@ -2,6 +2,7 @@
 #ifndef JPRIM_SRC_BUILD_MECHANISM_BUILDER_H_
 #define JPRIM_SRC_BUILD_MECHANISM_BUILDER_H_
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "build/function_writer.h"
+#include "build/part_mass.h"
 #include "build/planar_loops.h"
 #include "build/tree_plan.h"
 #include "dataset/read_state.h"
@@ -67,7 +69,16 @@ private:
         checkVariables();
         addRequests();
         addSensors();
+        if (!m_failed) checkNegativeMoments();
     }
+
+    /// A part with a negative principal moment of inertia: whether that matters shows when all constraints are there.
+    struct NegativeMoment {
+        const PartStatement* statement;
+        SimTK::Mat33 inertia;  ///< about the mass centre
+        SimTK::Real moment;    ///< the smallest
+        std::string oddities;  ///< what else is to be said of it
+    };
 
     /// Where an element is that a mobilizer stands for.
     struct TreePlace {
@@ -103,8 +114,8 @@ private:
     void setRigidCoordinates(const RigidCoordinates& statement, const SourcePosition& where,
                              MechanismPart& part);
     void checkGround(const PartStatement& statement);
-    SimTK::Body::Rigid makeBody(const PartStatement& statement, const SimTK::Transform& X_PC,
-                                SimTK::Real size);
+    SolvableMass chooseMass(const PartStatement& statement, const SimTK::Transform& X_PC, SimTK::Real size);
+    void checkNegativeMoments();
     void addMarkers();
     Marker makeMarker(const MarkerStatement& statement) const;
     void checkAxes();
@@ -147,6 +158,10 @@ private:
             report(Severity::Error, error.where, element + ": " + error.what());
         } catch (const Error& error) {
             report(Severity::Error, where, error.what());
+        } catch (const std::exception& error) {  // Simbody's, which runs over several lines
+            std::string text = error.what();
+            std::replace(text.begin(), text.end(), '\n', ' ');
+            report(Severity::Error, where, element + ": " + text);
         }
     }
 
@@ -187,6 +202,7 @@ private:
     std::vector<SimTK::Constraint> m_working;  // those that may change the energy
     std::unordered_map<std::string, TreePlace> m_inTree;
     SimTK::Real m_lightestMass = 1;
+    std::vector<NegativeMoment> m_negativeMoments;
     FunctionContext m_functions;
     std::unordered_map<int, ModalBasis> m_modes;  // by FLEX_BODY; in SI until it is added
 };

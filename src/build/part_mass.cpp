@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build/part_mass.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "jprim/build/build_mechanism.h"
@@ -26,8 +25,14 @@ Solver solve(const Mat33& inertia) {
     return Solver(m);
 }
 
-// Datasets carry six digits or so; a thin rod's moments may miss the triangle inequality by their last.
+Real getLargest(const Vec3& ascending) {
+    return std::max(ascending[2], -ascending[0]);
+}
+
+// Datasets carry six digits or so: what a shift to the mass centre leaves of a moment that should be zero.
 constexpr Real DigitsLost = 1e-5;
+// Of the largest moment: a positive one is zero; a sum of two that is the third.
+constexpr Real Vanishing = 1e-9, Rounding = 1e-9;
 
 }  // namespace
 
@@ -41,20 +46,25 @@ Mat33 calcCentralInertia(const PartMass& part) {
     return Mat33(part.X_BI.R()) * central * Mat33(~part.X_BI.R());
 }
 
-std::string findMassProblem(Real mass, const Mat33& inertia, Real unit) {
+Vec3 calcPrincipalMoments(const Mat33& inertia) {
+    const Eigen::Vector3d moments = solve(inertia).eigenvalues();
+    return Vec3(moments[0], moments[1], moments[2]);
+}
+
+Real calcTriangleExcess(const Vec3& moments) {
+    const Real excess = moments[2] - moments[1] - moments[0];
+    return excess > Rounding * getLargest(moments) ? excess : 0;
+}
+
+bool hasNegativeMoment(const Vec3& moments) {
+    return moments[0] < -DigitsLost * getLargest(moments);
+}
+
+std::string findMassProblem(Real mass, const Mat33& inertia) {
     if (!std::isfinite(mass) || !std::isfinite(inertia.norm()))
         return "mass or inertia about the mass centre is too large to be a number";
     constexpr Real Smallest = 1e-200;  // Simbody divides by the mass, and by squares of it
     if (mass != 0 && mass < Smallest) return "the mass is too small to divide by";
-    const Eigen::Vector3d moments = solve(inertia).eigenvalues() / unit;  // ascending
-    if (moments[0] < -DigitsLost * moments[2] || moments[2] < 0)
-        return fmt::format("one of its principal moments about the mass centre is negative ({:.6g})",
-                           moments[0]);
-    if (moments[2] > (moments[0] + moments[1]) * (1 + DigitsLost))
-        return fmt::format(
-            "its largest principal moment about the mass centre ({:.6g}) is larger than "
-            "the sum of the other two ({:.6g})",
-            moments[2], moments[0] + moments[1]);
     return "";
 }
 
@@ -64,12 +74,17 @@ SolvableMass makeSolvable(Real mass, const Mat33& inertia, Real size, Real light
     const Real shape = (result.massReplaced ? 1 : MasslessFraction) * result.mass * size * size;
 
     const Solver solver = solve(inertia);
-    const Real largest = solver.eigenvalues()[2];
-    const Real smallest = largest > 0 ? MasslessFraction * largest : shape;
-    result.inertiaReplaced = solver.eigenvalues()[0] < smallest;
+    Eigen::Vector3d moments = solver.eigenvalues();
+    const Real largest = moments.cwiseAbs().maxCoeff();
+    const Real little = largest > 0 ? MasslessFraction * largest : shape;
+    for (Real& moment : moments) {
+        if (moment > Vanishing * largest || moment < -DigitsLost * largest) continue;
+        moment = little;
+        result.inertiaReplaced = true;
+    }
     if (!result.inertiaReplaced) return result;
-    const Eigen::Vector3d raised = solver.eigenvalues().array().max(0) + smallest;
-    const Eigen::Matrix3d m = solver.eigenvectors() * raised.asDiagonal() * solver.eigenvectors().transpose();
+    const Eigen::Matrix3d m =
+        solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) result.inertia(i, j) = (m(i, j) + m(j, i)) / 2;
     return result;

@@ -23,11 +23,20 @@ struct PartMass {
 /// the mass centre.
 SimTK::Mat33 calcCentralInertia(const PartMass& part);
 
-/// Why no body can have this mass and this inertia about its mass centre, or empty. The message gives moments
-/// in units of `unit`.
-std::string findMassProblem(SimTK::Real mass, const SimTK::Mat33& inertia, SimTK::Real unit);
+/// The principal moments of a tensor of inertia in ascending order.
+SimTK::Vec3 calcPrincipalMoments(const SimTK::Mat33& inertia);
 
-/// Mass and inertia that Simbody can solve with, and what had to be put in place of nothing.
+/// By how much the largest of three ascending principal moments exceeds the sum of the others. Of no body it is
+/// positive; differences that are rounding errors are taken for zero.
+SimTK::Real calcTriangleExcess(const SimTK::Vec3& moments);
+
+/// True if the smallest of three ascending principal moments is negative by more than the digits of a dataset explain.
+bool hasNegativeMoment(const SimTK::Vec3& moments);
+
+/// Why this mass and this inertia about the mass centre are no numbers to calculate with, or empty.
+std::string findMassProblem(SimTK::Real mass, const SimTK::Mat33& inertia);
+
+/// Mass and inertia that can be solved with, and what had to be put in place of nothing.
 struct SolvableMass {
     SimTK::Real mass = 0;
     SimTK::Mat33 inertia;
@@ -35,8 +44,8 @@ struct SolvableMass {
     bool inertiaReplaced = false;
 };
 
-/// A massless part becomes a light one, spread over its size; a part with mass but a moment below
-/// MasslessFraction of its largest gets that. Anything else stays as it is.
+/// A massless part becomes a light one, spread over its size; of a part with mass a principal moment that vanishes
+/// beside the largest becomes MasslessFraction of that. Anything else stays as it is, negative moments too.
 SolvableMass makeSolvable(SimTK::Real mass, const SimTK::Mat33& inertia, SimTK::Real size,
                           SimTK::Real lightestMass);
 

@@ -10,9 +10,9 @@
 
 #include "jprim/marker/angles.h"
 #include "jprim/simulation/equilibrium.h"
-#include "support/determined.h"
 #include "support/random_dataset.h"
 #include "support/run_dataset.h"
+#include "support/two_routes.h"
 
 namespace jprim {
 namespace {

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/determined.h"
 #include "support/random_dataset.h"
 #include "support/run_dataset.h"
+#include "support/two_routes.h"
 
 namespace jprim {
 namespace {
+
+using testing::findDifference;
+using testing::isDetermined;
 
 constexpr double End = 0.2;  // s: long enough to move by about a radian
 constexpr int Steps = 4;
@@ -22,27 +25,6 @@ constexpr double Agreement = 1e-6;
 
 Results runFormulation(const std::string& text, Formulation formulation) {
     return testing::run(testing::buildOrFail(text, {formulation}), End, Steps, Accuracy).results;
-}
-
-// Quaternions may differ in sign, angles by a turn; orientations show in the motion of what hangs on a part.
-bool isCompared(const std::string& column) {
-    const std::string name = column.substr(column.rfind('.') + 1);
-    return name[0] != 'E' && name != "PSI" && name != "THETA" && name != "PHI";
-}
-
-double findLargest(const std::vector<double>& values) {
-    double largest = 1;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
-    return largest;
-}
-
-double findDifference(const Table& a, const Table& b) {
-    if (a.columns != b.columns || a.values.size() != b.values.size()) return SimTK::Infinity;
-    double largest = 0;
-    for (size_t k = 0; k < a.values.size(); ++k)
-        if (isCompared(a.columns[k % a.columns.size()]))
-            largest = std::max(largest, std::abs(a.values[k] - b.values[k]));
-    return largest / findLargest(a.values);
 }
 
 class Formulations : public ::testing::TestWithParam<int> {};

@@ -29,10 +29,16 @@ struct BuildOptions {
 /// MasslessFraction of its largest, or if all vanish of mass times size squared; each with a warning. Motion
 /// and reactions of ordinary mechanisms change by about that fraction.
 ///
-/// Errors, at the statement: a marker's or part's axes that its points do not define; a MASS or IP that no
-/// body can have; I and J axes of a PARALLEL_AXES, ORIENTATION, REVOLUTE, CYLINDRICAL, TRANSLATIONAL, PLANAR
-/// or FIXED more than 90 degrees apart; bars of a PERPENDICULAR, UNIVERSAL or HOOKE that are parallel; a
-/// MODES_FILE that cannot be read, a NODE_ID that is not in it.
+/// A part may have principal moments of inertia I1, I2, I3 that no body has, with I3 > I1 + I2: the motion is what
+/// they say, with a warning. Its Simbody body then has c more in every moment and a little more mass, and four bodies
+/// of negative mass welded to it take both away: momentum and energy are right, but Simbody's functions that add up the
+/// inertia of several bodies (calcSystemMassPropertiesInGround()) refuse them. A negative moment is accepted with a
+/// warning where every motion that the constraints allow has kinetic energy all the same.
+///
+/// Errors, at the statement: a marker's or part's axes that its points do not define; a MASS or IP that is no number
+/// to calculate with, or a negative moment where it matters; I and J axes of a PARALLEL_AXES, ORIENTATION, REVOLUTE,
+/// CYLINDRICAL, TRANSLATIONAL, PLANAR or FIXED more than 90 degrees apart; bars of a PERPENDICULAR, UNIVERSAL or HOOKE
+/// that are parallel; a MODES_FILE that cannot be read, a NODE_ID that is not in it.
 ///
 /// @param      dataset      as read without errors
 /// @param[out] diagnostics  findings are appended in the order of the file, mistakes of all kinds together
