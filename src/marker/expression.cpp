@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "base/text.h"
 #include "expression/language.h"
@@ -21,6 +22,14 @@ namespace {
 
 using FunctionPointer = std::shared_ptr<const SimTK::Function>;
 
+// What a dataset's functions know besides.
+bool isOfDatasets(const std::string& name) {
+    static const std::set<std::string> names{"JPRIM",  "JOINT",  "GCON",  "MOTION", "SFORCE", "SPDP", "BUSH",
+                                             "GFORCE", "VFORCE", "VTORQ", "ORIENT", "FM",     "FX",   "FY",
+                                             "FZ",     "TM",     "TX",    "TY",     "TZ"};
+    return names.count(name) > 0;
+}
+
 /// The measures of markers and what a program defines.
 class DefinedVocabulary : public MarkerVocabulary {
 public:
@@ -31,11 +40,13 @@ public:
 
     std::optional<Operand> call(ProgramBuilder& builder, const Call& call) override {
         const auto found = m_functions.find(call.name);
-        if (found == m_functions.end()) return MarkerVocabulary::call(builder, call);
-        const size_t number = size_t(found->second->getArgumentSize());
-        requireArguments(call, number, number);
-        return builder.curve(std::make_shared<FunctionCurve>(found->second), requireScalar(call, 0),
-                             requireScalar(call, number - 1));
+        if (found != m_functions.end()) return callFunction(builder, call, found->second);
+        if (isOfDatasets(call.name))
+            throw ExpressionError(call.offset,
+                                  fmt::format("{} is known in datasets alone; a program asks the "
+                                              "element itself, as by calcReactionOnI()",
+                                              call.name));
+        return MarkerVocabulary::call(builder, call);
     }
 
     std::vector<std::string> getNames() const override {
@@ -50,6 +61,13 @@ public:
     }
 
 private:
+    static Operand callFunction(ProgramBuilder& builder, const Call& call, const FunctionPointer& function) {
+        const size_t number = size_t(function->getArgumentSize());
+        requireArguments(call, number, number);
+        return builder.curve(std::make_shared<FunctionCurve>(function), requireScalar(call, 0),
+                             requireScalar(call, number - 1));
+    }
+
     void addFunction(const std::string& given, const FunctionPointer& function) {
         const std::string name = toUpperCase(given), element = fmt::format("function {}", quote(given));
         const auto isTaken = [&name](const std::vector<std::string>& names) {

@@ -175,7 +175,8 @@ TEST(Expression, MotionsAndForcesAreGivenByFunctions) {
     MobilizedBody::Free driven(matter.Ground(), body), free(matter.Ground(), body);
     const Marker I(driven), J(matter.updGround()), F(free);
     const auto sine = std::make_shared<SimTK::Function::Sinusoid>(0.3, 2, 0.1);  // 0.3 sin(2 t + 0.1)
-    const GeneralConstraint motion(makeCoordinate(I, J, Coordinate::Z), Expression::ofTime(sine), 0, 0, "motion");
+    const GeneralConstraint motion(makeCoordinate(I, J, Coordinate::Z), Expression::ofTime(sine), 0, 0,
+                                   "motion");
     ExpressionDefinitions definitions;
     definitions.functions["K"] =
         std::make_shared<SimTK::Function::Linear>(Vector(SimTK::Vec2(-50, 20)));  // -50 x + 20
@@ -217,6 +218,11 @@ TEST(Expression, MistakesAreExplained) {
     EXPECT_EQ(explain("1", define("P", nullptr)), "function 'P': it is a null pointer");
     EXPECT_EQ(explain("1", define("P", std::make_shared<SimTK::Function::Constant>(1, 3))),
               "function 'P': it takes 3 arguments; it must take 1 or 2");
+    EXPECT_EQ(
+        explain("2*JOINT(1,0,2)", {}),
+        "expression \"2*JOINT(1,0,2)\": column 3: JOINT is known in datasets alone; a program asks the element "
+        "itself, as by calcReactionOnI()");
+    EXPECT_EQ(explain("DIF(1)", {}), "expression \"DIF(1)\": column 1: DIF is not supported");
     EXPECT_EQ(explain("VARVAL(3)", {}), "expression \"VARVAL(3)\": column 8: VARIABLE/3 does not exist");
     EXPECT_EQ(explain("1+VARVAL(3)", {{}, {{3, "2*VARVAL(3)"}}, {}}),
               "expression \"1+VARVAL(3)\": column 3: in VARIABLE/3: VARIABLE/3 depends on itself; implicit "

@@ -71,7 +71,8 @@ struct ExpressionDefinitions {
 /// GeneralConstraint) an angle is sought within half a turn of where it was at the last step that an integrator
 /// completed; in a new State, within half a turn of zero. That is part of the State as a discrete variable: a copy of
 /// the State has it, a State to which only time, q and u are copied has not. The elements' getTurns(), setTurns() and
-/// resetTurns() read and write it; reset it where q is set back to a start. An angle must not go half a turn in one
+/// resetTurns() read and write it; reset it where q is set back to a start. What moves a State without an integrator
+/// calls state.autoUpdateDiscreteVariables() after each of its steps. An angle must not go half a turn in one
 /// step: bound the step (setMaximumStepSize()) of a rotor that no force makes the integrator follow. An equation that
 /// itself says in which turn its angle is (GeneralConstraint::getTurns()) remembers nothing.
 ///
