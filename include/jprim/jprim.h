@@ -20,6 +20,7 @@
 #include "jprim/dataset/read_dataset.h"
 #include "jprim/dataset/source_text.h"
 #include "jprim/dataset/write_dataset.h"
+#include "jprim/expression/spline.h"
 #include "jprim/flexible/beam.h"
 #include "jprim/flexible/finite_element_model.h"
 #include "jprim/flexible/flexible_body.h"

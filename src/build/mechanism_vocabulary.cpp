@@ -41,7 +41,7 @@ Real getUnit(const UnitSystem& units, int component) {
 }  // namespace
 
 std::optional<Operand> MechanismVocabulary::call(ProgramBuilder& builder, const Call& call) {
-    if (call.name == "VARVAL") return makeVariable(builder, call);
+    if (call.name == "VARVAL") return MarkerVocabulary::call(builder, call);
     const std::optional<Operand> value = makeMeasure(builder, call);
     if (value && m_use == FunctionUse::OfTime) throw ExpressionError(call.offset, NotOnlyTime);
     return value;
@@ -72,7 +72,7 @@ const Spline* MechanismVocabulary::findSpline(int id) {
 
 std::vector<std::string> MechanismVocabulary::getNames() const {
     std::vector<std::string> names = MarkerVocabulary::getNames();
-    names.insert(names.end(), {"VARVAL", "ORIENT"});
+    names.emplace_back("ORIENT");
     for (const auto& [function, keyword] : ElementFunctions) names.emplace_back(function);
     names.insert(names.end(), std::begin(NetLoads), std::end(NetLoads));
     return names;
@@ -83,29 +83,10 @@ std::string MechanismVocabulary::describeMissing(int id) const {
     return fmt::format("MARKER/{} is FLOATING and cannot be measured; name a fixed marker", id);
 }
 
-// The variable's own mistakes are reported at its statement, so its text is known to be good.
-Operand MechanismVocabulary::makeVariable(ProgramBuilder& builder, const Call& call) {
-    const int id = getIds(call, 1, 1)[0];
-    const auto known = m_variables.find(id);
-    if (known != m_variables.end()) return known->second;
+// A variable's own mistakes are reported at its statement, so its text is known to be good.
+const std::string* MechanismVocabulary::findVariable(int id) const {
     const auto found = m_context.variables.find(id);
-    if (found == m_context.variables.end())
-        throw ExpressionError(call.arguments[0].offset, fmt::format("VARIABLE/{} does not exist", id));
-    if (std::find(m_open.begin(), m_open.end(), id) != m_open.end())
-        throw ExpressionError(call.offset,
-                              fmt::format("VARIABLE/{} depends on itself; implicit variables are not "
-                                          "supported",
-                                          id));
-    m_open.push_back(id);
-    Operand value;
-    try {
-        value = compileExpression(found->second->function.text, builder, *this);
-    } catch (const ExpressionError& error) {
-        throw ExpressionError(call.offset, fmt::format("in VARIABLE/{}: {}", id, error.what()));
-    }
-    m_open.pop_back();
-    m_variables[id] = value;
-    return value;
+    return found == m_context.variables.end() ? nullptr : &found->second->function.text;
 }
 
 Operand MechanismVocabulary::makeElementLoad(const Call& call, const std::string& keyword) {

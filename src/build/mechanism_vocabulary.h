@@ -2,14 +2,13 @@
 #ifndef JPRIM_SRC_BUILD_MECHANISM_VOCABULARY_H_
 #define JPRIM_SRC_BUILD_MECHANISM_VOCABULARY_H_
 
-#include <map>
 #include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
-#include "expression/spline.h"
 #include "jprim/build/mechanism.h"
+#include "jprim/expression/spline.h"
 #include "marker/marker_vocabulary.h"
 
 namespace jprim {
@@ -27,8 +26,7 @@ struct FunctionContext {
 /// What a function is for, which decides what it may depend on.
 enum class FunctionUse { Output, Force, Equation, OfTime };
 
-/// The measures of markers, and
-/// - VARVAL(id): the VARIABLE's function in its place
+/// The measures of markers, VARVAL(id), and
 /// - JPRIM, JOINT, GCON, MOTION, SFORCE, SPDP, BUSH, GFORCE, VFORCE, VTORQ(id, jflag, comp, rm): loads of
 ///   elements, which are known only once accelerations are
 /// - FX FY FZ FM TX TY TZ TM(i, j, k): the sum of the loads on i from elements between i and j
@@ -46,10 +44,10 @@ public:
 
 protected:
     std::string describeMissing(int id) const override;
+    const std::string* findVariable(int id) const override;
 
 private:
     std::optional<Operand> makeMeasure(ProgramBuilder& builder, const Call& call);
-    Operand makeVariable(ProgramBuilder& builder, const Call& call);
     Operand makeElementLoad(const Call& call, const std::string& keyword);
     Operand makeNetLoad(const Call& call, int component);
     Operand makeEulerParameter(const Call& call);
@@ -58,8 +56,6 @@ private:
     const MarkerFrames::FindMarker& m_find;
     const FunctionContext& m_context;
     FunctionUse m_use;
-    std::map<int, Operand> m_variables;  // compiled into this program already
-    std::vector<int> m_open;             // being compiled, outermost first
 };
 
 }  // namespace jprim

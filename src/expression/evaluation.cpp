@@ -105,7 +105,7 @@ void Evaluation::goBack(const Instruction& instruction, Real g) {
         case Operation::Call:
             return givePartials(calcPartials(static_cast<Function>(detail), value(0), value(1), f));
         case Operation::Curve:
-            return givePartials(calcCurvePartials(m_program.m_code->curves[detail], value(0), value(1)));
+            return givePartials(m_program.m_code->curves[size_t(detail)]->calcPartials(value(0), value(1)));
         case Operation::Select: return give(findBranch(value(0)), g);
         case Operation::Dot: return giveVector(0, g * vectorValue(1)), giveVector(1, g * vectorValue(0));
         case Operation::Component: m_vectorGradients[arguments[0]][detail] += g; return;

@@ -6,12 +6,6 @@ namespace jprim {
 using SimTK::Real;
 using SimTK::Vec3;
 
-Partials calcCurvePartials(const CurveUse& use, Real x, Real z) {
-    const auto& [spline, method, order] = use;
-    return {spline.calcDerivative(method, x, z, order + 1), spline.calcSlopeInZ(method, x, z, order),
-            spline.calcDerivative(method, x, z, order + 2), spline.calcSlopeInZ(method, x, z, order + 1), 0};
-}
-
 namespace {
 
 Real call(Function function, Real x, Real y) {
@@ -23,12 +17,12 @@ Taylor<Real> call(Function function, const Taylor<Real>& x, const Taylor<Real>& 
     return chain(f, calcPartials(function, x.value, y.value, f), x, y);
 }
 
-Real call(const CurveUse& use, Real x, Real z) {
-    return calcCurve(use, x, z);
+Real call(const Curve& curve, Real x, Real z) {
+    return curve.calcValue(x, z);
 }
 
-Taylor<Real> call(const CurveUse& use, const Taylor<Real>& x, const Taylor<Real>& z) {
-    return chain(calcCurve(use, x.value, z.value), calcCurvePartials(use, x.value, z.value), x, z);
+Taylor<Real> call(const Curve& curve, const Taylor<Real>& x, const Taylor<Real>& z) {
+    return chain(curve.calcValue(x.value, z.value), curve.calcPartials(x.value, z.value), x, z);
 }
 
 Real getComponent(const Vec3& v, int axis) {
@@ -50,7 +44,7 @@ Taylor<Vec3> makeVector(const Taylor<Real>& x, const Taylor<Real>& y, const Tayl
 }  // namespace
 
 template <class Access>
-void execute(const Instruction& instruction, const std::vector<CurveUse>& curves, Registers& registers) {
+void execute(const Instruction& instruction, const Curves& curves, Registers& registers) {
     using SimTK::cross;
     using SimTK::dot;
     const std::array<int, 4>& arguments = instruction.arguments;
@@ -66,7 +60,7 @@ void execute(const Instruction& instruction, const std::vector<CurveUse>& curves
         case Operation::Multiply: return setScalar(s(0) * s(1));
         case Operation::Divide: return setScalar(s(0) / s(1));
         case Operation::Call: return setScalar(call(static_cast<Function>(detail), s(0), s(1)));
-        case Operation::Curve: return setScalar(call(curves[detail], s(0), s(1)));
+        case Operation::Curve: return setScalar(call(*curves[size_t(detail)], s(0), s(1)));
         case Operation::Select: return setScalar(s(findBranch(registers.scalars[arguments[0]].value)));
         case Operation::Dot: return setScalar(dot(v(0), v(1)));
         case Operation::Component: return setScalar(getComponent(v(0), detail));
@@ -78,7 +72,7 @@ void execute(const Instruction& instruction, const std::vector<CurveUse>& curves
     }
 }
 
-template void execute<ValuesOnly>(const Instruction&, const std::vector<CurveUse>&, Registers&);
-template void execute<WithDerivatives>(const Instruction&, const std::vector<CurveUse>&, Registers&);
+template void execute<ValuesOnly>(const Instruction&, const Curves&, Registers&);
+template void execute<WithDerivatives>(const Instruction&, const Curves&, Registers&);
 
 }  // namespace jprim

@@ -2,8 +2,6 @@
 #ifndef JPRIM_SRC_EXPRESSION_EXECUTE_H_
 #define JPRIM_SRC_EXPRESSION_EXECUTE_H_
 
-#include <vector>
-
 #include "expression/instruction.h"
 
 namespace jprim {
@@ -32,18 +30,12 @@ struct WithDerivatives {
     }
 };
 
-/// The value of the spline as a function of x and z, and its derivatives.
-inline SimTK::Real calcCurve(const CurveUse& use, SimTK::Real x, SimTK::Real z) {
-    return use.spline.calcDerivative(use.method, x, z, use.order);
-}
-Partials calcCurvePartials(const CurveUse& use, SimTK::Real x, SimTK::Real z);
-
 /// Does one instruction.
 template <class Access>
-void execute(const Instruction& instruction, const std::vector<CurveUse>& curves, Registers& registers);
+void execute(const Instruction& instruction, const Curves& curves, Registers& registers);
 
-extern template void execute<ValuesOnly>(const Instruction&, const std::vector<CurveUse>&, Registers&);
-extern template void execute<WithDerivatives>(const Instruction&, const std::vector<CurveUse>&, Registers&);
+extern template void execute<ValuesOnly>(const Instruction&, const Curves&, Registers&);
+extern template void execute<WithDerivatives>(const Instruction&, const Curves&, Registers&);
 
 }  // namespace jprim
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "expression/curve.h"
 #include "expression/functions.h"
-#include "expression/spline.h"
 #include "expression/taylor.h"
 
 /// @file
@@ -55,12 +55,7 @@ inline int findBranch(SimTK::Real condition) {
     return condition > 0 ? 3 : 0;
 }
 
-/// A spline as an operation: the derivative of this order of y(x, z) with respect to x.
-struct CurveUse {
-    Spline spline;
-    Spline::Method method;
-    int order;
-};
+using Curves = std::vector<std::shared_ptr<const Curve>>;
 
 /// The values that instructions read and write.
 struct Registers {

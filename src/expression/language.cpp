@@ -68,7 +68,7 @@ Operand buildSpline(const Context& c) {
             fmt::format("the order of the derivative of {} is 0, 1 or 2, not {}", c.call.name, order));
     const Spline* spline = c.vocabulary.findSpline(id);
     if (!spline) throw ExpressionError(c.call.arguments[2].offset, fmt::format("there is no SPLINE/{}", id));
-    return c.builder.curve(*spline, Method, order, c[0], c[1]);
+    return c.builder.curve(std::make_shared<SplineCurve>(*spline, Method, order), c[0], c[1]);
 }
 
 // UV(v)

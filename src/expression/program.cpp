@@ -2,6 +2,8 @@
 // ProgramBuilder::finish(): keeps of all that was written what one result needs.
 #include "expression/program.h"
 
+#include <algorithm>
+
 namespace jprim {
 namespace {
 
@@ -48,6 +50,12 @@ NewRegisters findNeeded(const std::vector<Instruction>& instructions, Operand re
 
 }  // namespace
 
+int Program::getNumDerivatives() const {
+    int number = 2;
+    for (const auto& curve : m_code->curves) number = std::min(number, curve->getNumDerivatives());
+    return number;
+}
+
 Program ProgramBuilder::finish(Operand result) const {
     NewRegisters renumber = findNeeded(m_instructions, result, m_values);
     const auto code = std::make_shared<Program::Code>();
@@ -73,11 +81,13 @@ Program ProgramBuilder::finish(Operand result) const {
     if (m_timeInput >= 0 && code->scalarInputs[m_timeInput] >= 0) code->timeInput = m_timeInput;
     for (const Program::Angle& angle : m_angles)
         if (renumber.scalars.isNeeded(angle.result))
-            code->angles.push_back({renumber.scalars(angle.remembered), renumber.scalars(angle.result)});
+            code->angles.push_back(
+                {renumber.scalars(angle.remembered), renumber.scalars(angle.result), SimTK::NaN});
 
     code->result = {renumber.get(result.isVector)(result.index), result.isVector};
     code->level = getTraits(result).level;
     code->velocityDegree = getTraits(result).velocityDegree;
+    Program::findAngleSlopes(*code);
     return Program(code);
 }
 

@@ -50,8 +50,20 @@ public:
     /// The length of the code.
     int getNumOperations() const { return static_cast<int>(m_code->instructions.size()); }
 
+    /// How many derivatives the result has, as far as functions given by data have them.
+    int getNumDerivatives() const;
+
     /// How many angles an Evaluation has to remember.
     int getNumAngles() const { return static_cast<int>(m_code->angles.size()); }
+
+    /// How much the result changes per radian of continuous angle k, if that is a constant; otherwise NaN.
+    SimTK::Real getAngleSlope(int k) const { return m_code->angles.at(k).slope; }
+
+    /// What whole turns of the angles add to the result are the multiples of this. Zero if there is no angle, if
+    /// the result depends on one in another way than by a constant factor, or if the factors of several are not
+    /// in the ratio of whole numbers up to LargestRatio.
+    SimTK::Real findTurnPeriod() const;
+    static constexpr int LargestRatio = 200;
 
 private:
     friend class ProgramBuilder;
@@ -60,10 +72,11 @@ private:
     // The registers of a continuous angle: what the evaluator remembers, what comes out.
     struct Angle {
         int remembered, result;
+        SimTK::Real slope = SimTK::NaN;
     };
     struct Code {
         std::vector<Instruction> instructions;
-        std::vector<CurveUse> curves;
+        Curves curves;
         Registers initial;                            // constants in their places, zero elsewhere
         std::vector<int> scalarInputs, vectorInputs;  // their registers; -1 for unused ones
         Operand result;
@@ -73,6 +86,7 @@ private:
         std::vector<Angle> angles;
     };
     explicit Program(std::shared_ptr<const Code> code) : m_code(std::move(code)) {}
+    static void findAngleSlopes(Code& code);
 
     std::shared_ptr<const Code> m_code;
 };
@@ -116,8 +130,8 @@ public:
     Operand dim(Operand a, Operand b);
     /// One of three scalars, by the sign of `condition`.
     Operand select(Operand condition, Operand ifNegative, Operand ifZero, Operand ifPositive);
-    /// The derivative of order 0, 1 or 2 of a spline's y(x, z) with respect to x. Keeps a copy of the spline.
-    Operand curve(const Spline& spline, Spline::Method method, int order, Operand x, Operand z);
+    /// A function given by data. A curve of x alone ignores z.
+    Operand curve(std::shared_ptr<const Curve> curve, Operand x, Operand z);
 
     /// The angle of the point (x, y) in (-pi, pi] [rad]; 0 for the origin.
     Operand atan2(Operand y, Operand x);
@@ -155,7 +169,7 @@ private:
     Traits combineTraits(Operation operation, const std::initializer_list<Operand>& arguments) const;
 
     std::vector<Instruction> m_instructions;
-    std::vector<CurveUse> m_curves;
+    Curves m_curves;
     Registers m_values;  // of constants
     std::vector<Traits> m_scalarTraits, m_vectorTraits;
     std::vector<int> m_scalarInputs, m_vectorInputs;  // their registers

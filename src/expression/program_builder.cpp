@@ -197,9 +197,8 @@ Operand ProgramBuilder::select(Operand condition, Operand ifNegative, Operand if
     return emit(Operation::Select, {condition, ifNegative, ifZero, ifPositive});
 }
 
-Operand ProgramBuilder::curve(const Spline& spline, Spline::Method method, int order, Operand x, Operand z) {
-    assert(0 <= order && order <= 2);
-    m_curves.push_back({spline, method, order});
+Operand ProgramBuilder::curve(std::shared_ptr<const Curve> curve, Operand x, Operand z) {
+    m_curves.push_back(std::move(curve));
     return emit(Operation::Curve, {x, z}, static_cast<int>(m_curves.size()) - 1);
 }
 
@@ -210,7 +209,7 @@ Operand ProgramBuilder::atan2(Operand y, Operand x) {
 Operand ProgramBuilder::continuousAngle(Operand y, Operand x) {
     const Operand remembered = makeOperand(false, {});
     const Operand result = callTwo(Function::Unwind, atan2(y, x), remembered);
-    m_angles.push_back({remembered.index, result.index});
+    m_angles.push_back({remembered.index, result.index, SimTK::NaN});
     return result;
 }
 

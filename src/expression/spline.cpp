@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "expression/spline.h"
+#include "jprim/expression/spline.h"
 
 #include <fmt/format.h>
 

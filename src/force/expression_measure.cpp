@@ -22,10 +22,10 @@ public:
     }
 
     Real calcValue(const State& state) const { return m_expression.calcValue(state); }
+    const AngleMemory& getAngles() const { return m_expression.getAngles(); }
 
 private:
     void realizeTopology(State& state) const override { m_expression.allocate(m_forces, state); }
-    void realizePosition(const State& state) const override { m_expression.followAngles(state); }
     void calcForce(const State&, Vector_<SpatialVec>&, Vector_<Vec3>&, Vector&) const override {}
     Real calcPotentialEnergy(const State&) const override { return 0; }
 
@@ -40,8 +40,24 @@ ExpressionMeasure::ExpressionMeasure(SimTK::GeneralForceSubsystem& forces,
 ExpressionMeasure::ExpressionMeasure(SimTK::GeneralForceSubsystem& forces, const Expression& expression)
     : ExpressionMeasure(forces, new ExpressionMeasureImpl(forces, expression)) {}
 
+const ExpressionMeasureImpl& ExpressionMeasure::getImpl() const {
+    return static_cast<const ExpressionMeasureImpl&>(getImplementation());
+}
+
 Real ExpressionMeasure::calcValue(const State& state) const {
-    return static_cast<const ExpressionMeasureImpl&>(getImplementation()).calcValue(state);
+    return getImpl().calcValue(state);
+}
+
+Vector ExpressionMeasure::getTurns(const State& state) const {
+    return getImpl().getAngles().getTurns(state);
+}
+
+void ExpressionMeasure::setTurns(State& state, const Vector& turns) const {
+    getImpl().getAngles().setTurns(state, turns, "expression");
+}
+
+void ExpressionMeasure::resetTurns(State& state) const {
+    setTurns(state, Vector(getImpl().getAngles().getNumAngles(), Real(0)));
 }
 
 }  // namespace jprim

@@ -8,6 +8,7 @@ namespace jprim {
 using SimTK::SpatialVec;
 using SimTK::State;
 using SimTK::Vec3;
+using SimTK::Vector;
 
 MarkerForce::MarkerForce(SimTK::GeneralForceSubsystem& forces, MarkerForceImpl* implementation)
     : Custom(forces, implementation) {}
@@ -30,6 +31,18 @@ SpatialVec MarkerForce::calcLoadOnI(const State& state) const {
 
 SpatialVec MarkerForce::calcLoadOnJ(const State& state) const {
     return isDisabled(state) ? SpatialVec(Vec3(0), Vec3(0)) : getImpl().calcLoadOnJ(state);
+}
+
+Vector MarkerForce::getTurns(const State& state) const {
+    return getImpl().getTurns(state);
+}
+
+void MarkerForce::setTurns(State& state, const Vector& turns) const {
+    getImpl().setTurns(state, turns);
+}
+
+void MarkerForce::resetTurns(State& state) const {
+    setTurns(state, Vector(getImpl().getNumAngles(), SimTK::Real(0)));
 }
 
 SimTK::Real MarkerForce::calcPotentialRate(const State& state) const {

@@ -12,6 +12,7 @@ using SimTK::Real;
 using SimTK::SpatialVec;
 using SimTK::State;
 using SimTK::Vec3;
+using SimTK::Vector;
 
 std::string findForceProblem(InputLevel level) {
     return level < InputLevel::Acceleration
@@ -27,8 +28,11 @@ std::optional<TrackedExpression> take(const std::optional<Expression>& expressio
     const Program& program = expression->getImplementation().program;
     if (program.isVector() != isVector)
         throw Error(name, fmt::format("its {} must be a {}", what, isVector ? "vector" : "number"));
-    const std::string problem = findForceProblem(program.getLevel());
-    if (!problem.empty()) throw Error(name, problem);
+    const int neededDerivatives = isVector ? 0 : 1;  // the rate of a potential
+    for (const std::string& problem :
+         {findForceProblem(program.getLevel()),
+          expression->getImplementation().findDerivativeProblem(neededDerivatives)})
+        if (!problem.empty()) throw Error(name, problem);
     return TrackedExpression(*expression);
 }
 
@@ -52,9 +56,34 @@ void MarkerForceImpl::realizeTopology(State& state) const {
         if (*expression) (*expression)->allocate(m_forces, state);
 }
 
-// Loads are asked for at every step, the potential only now and then.
-void MarkerForceImpl::realizePosition(const State& state) const {
-    if (m_potential) m_potential->followAngles(state);
+int MarkerForceImpl::getNumAngles() const {
+    int sum = 0;
+    for (const auto* expression : {&m_force, &m_moment, &m_potential})
+        if (*expression) sum += (*expression)->getAngles().getNumAngles();
+    return sum;
+}
+
+Vector MarkerForceImpl::getTurns(const State& state) const {
+    Vector turns(getNumAngles());
+    int first = 0;
+    for (const auto* expression : {&m_force, &m_moment, &m_potential}) {
+        if (!*expression) continue;
+        const Vector part = (*expression)->getAngles().getTurns(state);
+        turns(first, part.size()) = part;
+        first += part.size();
+    }
+    return turns;
+}
+
+void MarkerForceImpl::setTurns(State& state, const Vector& turns) const {
+    checkTurns(turns, getNumAngles(), m_name);
+    int first = 0;
+    for (const auto* expression : {&m_force, &m_moment, &m_potential}) {
+        if (!*expression) continue;
+        const AngleMemory& angles = (*expression)->getAngles();
+        angles.setTurns(state, turns(first, angles.getNumAngles()), m_name);
+        first += angles.getNumAngles();
+    }
 }
 
 SpatialVec MarkerForceImpl::calcLoadOnI(const State& state) const {

@@ -22,9 +22,13 @@ public:
     SimTK::SpatialVec calcLoadOnJ(const SimTK::State& state) const;
     SimTK::Real calcPotentialRate(const SimTK::State& state) const;
 
+    // Those of force, moment and potential, one after the other.
+    int getNumAngles() const;
+    SimTK::Vector getTurns(const SimTK::State& state) const;
+    void setTurns(SimTK::State& state, const SimTK::Vector& turns) const;
+
 private:
     void realizeTopology(SimTK::State& state) const override;
-    void realizePosition(const SimTK::State& state) const override;
     void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& bodyForces,
                    SimTK::Vector_<SimTK::Vec3>& particleForces, SimTK::Vector& mobilityForces) const override;
     SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;

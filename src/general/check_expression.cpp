@@ -24,7 +24,7 @@ std::string findEquationProblem(const MarkerExpression& expression) {
     const std::string problem = findValueProblem(program.getLevel(), program.isLinearInVelocity());
     if (!problem.empty()) return problem;
     if (expression.markers.empty()) return "the expression depends on no marker, so it constrains nothing";
-    return "";
+    return expression.findDerivativeProblem(program.getLevel() == InputLevel::Position ? 2 : 1);
 }
 
 std::string findFunctionProblem(const MarkerExpression& expression) {

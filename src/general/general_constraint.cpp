@@ -16,13 +16,15 @@ using SimTK::Real;
 using SimTK::SpatialVec;
 using SimTK::State;
 using SimTK::Vec3;
+using SimTK::Vector;
 
 namespace {
 
 GeneralConstraintImpl* makeDriven(const Expression& coordinate, const Expression& function, int derivative,
                                   Real period, const std::string& name) {
-    const std::string problem = findFunctionProblem(function.getImplementation());
-    if (!problem.empty()) throw Error(name, problem);
+    for (const std::string& problem : {findFunctionProblem(function.getImplementation()),
+                                       function.getImplementation().findDerivativeProblem(2 - derivative)})
+        if (!problem.empty()) throw Error(name, problem);
     if (coordinate.getImplementation().program.getLevel() != InputLevel::Position)
         throw Error(name, "a coordinate that follows a function must depend on positions only");
     return new GeneralConstraintImpl(coordinate, &function, derivative, period, name);
@@ -84,6 +86,18 @@ bool GeneralConstraint::isEquationDropped(const State& state) const {
 
 Real GeneralConstraint::calcEquationError(const State& state) const {
     return getImpl().calcEquationError(state);
+}
+
+Vector GeneralConstraint::getTurns(const State& state) const {
+    return getImpl().getTurns(state);
+}
+
+void GeneralConstraint::setTurns(State& state, const Vector& turns) const {
+    getImpl().setTurns(state, turns);
+}
+
+void GeneralConstraint::resetTurns(State& state) const {
+    setTurns(state, Vector(getImpl().getNumAngles(), Real(0)));
 }
 
 SpatialVec GeneralConstraint::calcReactionOn(const State& state, int marker) const {

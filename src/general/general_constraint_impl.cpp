@@ -43,7 +43,14 @@ GeneralConstraintImpl::GeneralConstraintImpl(const Expression& coordinate, const
       m_equationLevel(findEquationLevel(*m_coordinate, derivative)),
       m_period(period) {
     if (function) m_function = std::make_shared<MarkerExpression>(function->getImplementation());
+    if (m_period == 0 && isHolonomic()) m_period = m_coordinate->program.findTurnPeriod();
+    if (!impliesTurns()) m_angles = AngleMemory(*m_coordinate);
     addMarkers();
+}
+
+// Of several angles the equation knows the sum alone.
+bool GeneralConstraintImpl::impliesTurns() const {
+    return m_period > 0 && isHolonomic() && getNumAngles() == 1;
 }
 
 // Ground is always among the bodies: it is then the ancestor, and the expression's vectors are in Ground.
@@ -73,7 +80,6 @@ void GeneralConstraintImpl::addMarkers() {
 void GeneralConstraintImpl::realizeTopology(State& state) const {
     const SimTK::SimbodyMatterSubsystem& matter = getMatterSubsystem();
     m_subsystem = matter.getMySubsystemIndex();
-    m_angles.allocate(matter, state, m_coordinate->program.getNumAngles());
     PositionCache cache;
     cache.directions.resize(size_t(m_numBodies));
     cache.modalDirections.resize(size_t(m_numCoordinates));
@@ -131,7 +137,6 @@ void GeneralConstraintImpl::calcPositionCache(const State& state, PositionCache&
     m_coordinate->setInputs(state.getTime(), cache.motions.data(), q);
     m_angles.recall(state, q);
     const Real value = q.calcValue();
-    m_angles.remember(state, q);
     q.calcGradient();
     const bool ofVelocity = m_coordinate->program.getLevel() == InputLevel::Velocity;
     cache.rateAtRest = ofVelocity ? value : m_coordinate->getTimeDerivative(q);

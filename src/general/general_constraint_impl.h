@@ -22,6 +22,9 @@ namespace jprim {
 ///     q'' = sum over bodies of direction . A + bias
 ///
 /// directions and q'_0 are computed once per position, the bias once per velocity.
+///
+/// What whole turns of an angle in q change may be known to be whole periods of the error. Such turns need no
+/// memory: the error is what is left of its periods.
 class GeneralConstraintImpl : public SimTK::Constraint::Custom::Implementation {
 public:
     /// @param function  null if the equation is q = 0
@@ -40,6 +43,9 @@ public:
     void setStateScale(SimTK::State& state, SimTK::Real scale) const;
     SimTK::Real calcEquationError(const SimTK::State& state) const;
     std::string findProblem(const SimTK::State& state) const;
+    SimTK::Vector getTurns(const SimTK::State& state) const;
+    void setTurns(SimTK::State& state, const SimTK::Vector& turns) const;
+    int getNumAngles() const { return m_coordinate->program.getNumAngles(); }
     /// [moment, force] in Ground on a marker at its origin.
     SimTK::SpatialVec calcLoadOn(const SimTK::State& state, int markerId) const;
 
@@ -90,6 +96,7 @@ private:
     void calcPositionCache(const SimTK::State& state, PositionCache& cache) const;
     SimTK::Real getBias(const SimTK::State& state) const;
     SimTK::Real calcBias(const SimTK::State& state) const;
+    bool impliesTurns() const;
     SimTK::Real reduce(SimTK::Real error) const;  // by whole periods
     SimTK::Real getScale(const SimTK::State& state) const { return getStateScale(state) * m_scale; }
     Taylor<SimTK::Real> calcFunction(const SimTK::State& state) const;
@@ -105,13 +112,13 @@ private:
     std::shared_ptr<const MarkerExpression> m_function;  // may be null
     int m_equationLevel;  // 0, 1, 2: an equation of positions, velocities, accelerations
     SimTK::Real m_period;
+    AngleMemory m_angles;  // empty if the equation itself says in which turn its angle is
     SimTK::Real m_scale = 1;
     std::vector<ConstrainedMarker> m_markers;  // as in m_coordinate
     int m_numBodies = 0;
     int m_numCoordinates = 0;
 
     // Topology cache.
-    mutable AngleMemory m_angles;
     mutable SimTK::SubsystemIndex m_subsystem;
     mutable SimTK::CacheEntryIndex m_positionCache;
     mutable SimTK::CacheEntryIndex m_bias;

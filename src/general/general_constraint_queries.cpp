@@ -2,6 +2,8 @@
 // What others ask a GeneralConstraint, as opposed to what Simbody does.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "general/general_constraint_impl.h"
 
 namespace jprim {
@@ -12,6 +14,7 @@ using SimTK::SpatialVec;
 using SimTK::State;
 using SimTK::Value;
 using SimTK::Vec3;
+using SimTK::Vector;
 
 //---------------------------------------------------------------------------------- scale and error
 Real GeneralConstraintImpl::getStateScale(const State& state) const {
@@ -32,6 +35,23 @@ Real GeneralConstraintImpl::calcEquationError(const State& state) const {
     const int ofVelocity = m_coordinate->program.getLevel() == InputLevel::Velocity ? 1 : 0;
     const Real derivatives[] = {q.value, q.first, q.second};
     return m_scale * reduce(derivatives[m_equationLevel - ofVelocity] - calcFunction(state).value);
+}
+
+//------------------------------------------------------------------------------------------ turns
+// The nearest turn is the one that makes the error what is left of its periods.
+Vector GeneralConstraintImpl::getTurns(const State& state) const {
+    if (!impliesTurns()) return m_angles.getTurns(state);
+    Evaluation evaluation(m_coordinate->program);
+    m_coordinate->setInputs(state, evaluation, InputLevel::Position);
+    const Real error = evaluation.calcValue() - calcFunction(state).value;
+    const Real perTurn = 2 * SimTK::Pi * m_coordinate->program.getAngleSlope(0);
+    return Vector(1,
+                  evaluation.getAngle(0) / (2 * SimTK::Pi) + std::round((reduce(error) - error) / perTurn));
+}
+
+void GeneralConstraintImpl::setTurns(State& state, const Vector& turns) const {
+    checkTurns(turns, getNumAngles(), m_name);
+    if (!impliesTurns()) m_angles.setTurns(state, turns, m_name);
 }
 
 //--------------------------------------------------------------------------------------- problems
@@ -64,6 +84,7 @@ SpatialVec GeneralConstraintImpl::calcLoadOn(const State& state, int markerId) c
     placeMarkers(state, cache);
     Evaluation& q = *cache.coordinate;
     m_coordinate->setInputs(state.getTime(), cache.motions.data(), q);
+    m_angles.recall(state, q);
     q.calcValue();
     q.calcGradient();
     return -getScale(state) * lambda[0] * m_coordinate->getDirection(q, cache.motions.data(), marker);

@@ -91,7 +91,7 @@ Joint Joint::Screw(const Marker& I, const Marker& J, Real pitch, Real offset, co
 Joint Joint::Rackpin(const Marker& I, const Marker& J, Real diameter, Real offset, const std::string& name) {
     const auto angle = [](MarkerFrames& f) {
         ProgramBuilder& b = f.updBuilder();
-        return b.negate(b.continuousAngle(f.element(PairI, PairJ, 2, 1), f.element(PairI, PairJ, 2, 0)));
+        return b.continuousAngle(b.negate(f.element(PairI, PairJ, 2, 1)), f.element(PairI, PairJ, 2, 0));
     };
     return Joint("RACKPIN", makeRolling(I, J, angle, diameter / 2, offset, name));
 }
@@ -99,6 +99,11 @@ Joint Joint::Rackpin(const Marker& I, const Marker& J, Real diameter, Real offse
 const SimTK::Constraint& Joint::getConstraint() const {
     return std::visit([](const auto& constraint) -> const SimTK::Constraint& { return constraint; },
                       m_constraint);
+}
+
+SimTK::Vector Joint::getTurns(const State& state) const {
+    const GeneralConstraint* rolling = getGeneralConstraint();
+    return rolling ? rolling->getTurns(state) : SimTK::Vector();
 }
 
 //-------------------------------------------------------------------------------------- reactions

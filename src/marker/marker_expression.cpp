@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "marker/marker_expression.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "jprim/marker/expression.h"
-#include "marker/marker_vocabulary.h"
+#include <algorithm>
 
 namespace jprim {
 
@@ -46,6 +45,14 @@ MarkerMotion findMotion(const Marker& marker, const State& state, InputLevel lev
 }
 
 }  // namespace
+
+std::string MarkerExpression::findDerivativeProblem(int needed) const {
+    const int number = program.getNumDerivatives();
+    if (number >= needed) return "";
+    return fmt::format(
+        "a function in it has derivatives up to order {}, by its getMaxDerivativeOrder(); order {} is needed",
+        number, needed);
+}
 
 std::vector<MarkerMotion> MarkerExpression::findMotions(const State& state, InputLevel level) const {
     std::vector<MarkerMotion> motions;
@@ -117,20 +124,6 @@ Real MarkerExpression::getTimeDerivative(const Evaluation& evaluation) const {
 int ExpressionInputs::findMarker(int id) const {
     const auto found = std::find(markerIds.begin(), markerIds.end(), id);
     return found == markerIds.end() ? -1 : int(found - markerIds.begin());
-}
-
-Expression::Expression(const std::string& text, const std::map<int, Marker>& markers) {
-    const auto find = [&markers](int id) {
-        const auto found = markers.find(id);
-        return found == markers.end() ? nullptr : &found->second;
-    };
-    m_expression = std::make_shared<const MarkerExpression>(compileMarkerExpression(text, find));
-}
-
-Real Expression::calcValue(const State& state) const {
-    Evaluation evaluation(m_expression->program);
-    m_expression->setInputs(state, evaluation);
-    return evaluation.calcValue();
 }
 
 }  // namespace jprim

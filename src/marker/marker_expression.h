@@ -3,6 +3,7 @@
 #define JPRIM_SRC_MARKER_MARKER_EXPRESSION_H_
 
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,9 @@ struct MarkerExpression : ExpressionInputs {
         : ExpressionInputs(std::move(inputs)), program(std::move(compiled)) {}
 
     Program program;
+
+    /// What is wrong if so many derivatives are needed, or empty. Only functions that a user gives can lack any.
+    std::string findDerivativeProblem(int needed) const;
 
     /// The motions of the markers in a State, as far as a level goes.
     std::vector<MarkerMotion> findMotions(const SimTK::State& state, InputLevel level) const;

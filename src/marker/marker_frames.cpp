@@ -90,9 +90,13 @@ Operand MarkerFrames::radialVelocity(int i, int j, int l) {
 
 // AX = atan2(-z_i.y_j, z_i.z_j), AY = atan2(z_i.x_j, z_i.z_j), AZ = atan2(x_i.y_j, x_i.x_j)
 Operand MarkerFrames::projectedAngle(int i, int j, int axis) {
-    if (axis == 2) return m_builder.continuousAngle(element(i, j, 1, 0), element(i, j, 0, 0));
-    const Operand sine = axis == 0 ? m_builder.negate(element(i, j, 1, 2)) : element(i, j, 0, 2);
-    return m_builder.continuousAngle(sine, element(i, j, 2, 2));
+    const auto [known, isNew] = m_angles.try_emplace({i, j, axis});
+    if (!isNew) return known->second;
+    const Operand sine = axis == 0   ? m_builder.negate(element(i, j, 1, 2))
+                         : axis == 1 ? element(i, j, 0, 2)
+                                     : element(i, j, 1, 0);
+    const int other = axis == 2 ? 0 : 2;
+    return known->second = m_builder.continuousAngle(sine, element(i, j, other, other));
 }
 
 Operand MarkerFrames::inAxesOf(Operand v, int k) {

@@ -72,6 +72,7 @@ private:
     FindMarker m_find;
     ExpressionInputs m_inputs;  // but for the place of time among the scalars
     std::map<std::pair<int, MarkerQuantity>, Operand> m_known;
+    std::map<std::array<int, 3>, Operand> m_angles;  // by i, j, axis: one count of turns for each
 };
 
 /// An expression written in code instead of text.

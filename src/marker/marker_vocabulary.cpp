@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "expression/compile_expression.h"
-#include "jprim/base/error.h"
 
 namespace jprim {
 
@@ -124,7 +123,8 @@ std::string MarkerVocabulary::describeMissing(int id) const {
     return fmt::format("MARKER/{} does not exist", id);
 }
 
-std::optional<Operand> MarkerVocabulary::call(ProgramBuilder&, const Call& call) {
+std::optional<Operand> MarkerVocabulary::call(ProgramBuilder& builder, const Call& call) {
+    if (call.name == "VARVAL") return makeVariable(builder, call);
     const auto named = [&call](const Measure& measure) { return call.name == measure.name; };
     const Measure* measure = std::find_if(std::begin(Measures), std::end(Measures), named);
     if (measure == std::end(Measures)) return std::nullopt;
@@ -136,22 +136,33 @@ std::optional<Operand> MarkerVocabulary::call(ProgramBuilder&, const Call& call)
     return measure->make(m_frames, ids.data(), measure->axis);
 }
 
-std::vector<std::string> MarkerVocabulary::getNames() const {
-    std::vector<std::string> names;
-    for (const Measure& measure : Measures) names.emplace_back(measure.name);
-    return names;
+Operand MarkerVocabulary::makeVariable(ProgramBuilder& builder, const Call& call) {
+    const int id = getIds(call, 1, 1)[0];
+    const auto known = m_variables.find(id);
+    if (known != m_variables.end()) return known->second;
+    const std::string* text = findVariable(id);
+    if (!text) throw ExpressionError(call.arguments[0].offset, fmt::format("VARIABLE/{} does not exist", id));
+    if (std::find(m_open.begin(), m_open.end(), id) != m_open.end())
+        throw ExpressionError(call.offset,
+                              fmt::format("VARIABLE/{} depends on itself; implicit variables are not "
+                                          "supported",
+                                          id));
+    m_open.push_back(id);
+    Operand value;
+    try {
+        value = compileExpression(*text, builder, *this);
+    } catch (const ExpressionError& error) {
+        throw ExpressionError(call.offset, fmt::format("in VARIABLE/{}: {}", id, error.what()));
+    }
+    m_open.pop_back();
+    m_variables[id] = value;
+    return value;
 }
 
-MarkerExpression compileMarkerExpression(std::string_view text, const MarkerFrames::FindMarker& find) {
-    ProgramBuilder builder;
-    MarkerFrames frames(builder, find, {});
-    MarkerVocabulary vocabulary(frames);
-    try {
-        return frames.finish(compileExpression(text, builder, vocabulary));
-    } catch (const ExpressionError& error) {
-        throw Error(fmt::format("expression \"{}\"", text),
-                    fmt::format("column {}: {}", error.offset + 1, error.what()));
-    }
+std::vector<std::string> MarkerVocabulary::getNames() const {
+    std::vector<std::string> names{"VARVAL"};
+    for (const Measure& measure : Measures) names.emplace_back(measure.name);
+    return names;
 }
 
 }  // namespace jprim

@@ -2,8 +2,8 @@
 #ifndef JPRIM_SRC_MARKER_MARKER_VOCABULARY_H_
 #define JPRIM_SRC_MARKER_MARKER_VOCABULARY_H_
 
+#include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "expression/compile_expression.h"
@@ -11,7 +11,8 @@
 
 namespace jprim {
 
-/// Adams' measures of markers, as Expression lists them, for the expression compiler.
+/// Adams' measures of markers, as Expression lists them, and VARVAL(id), a variable's expression in its place, for
+/// the expression compiler.
 class MarkerVocabulary : public Vocabulary {
 public:
     explicit MarkerVocabulary(MarkerFrames& frames) : m_frames(frames) {}
@@ -30,13 +31,16 @@ protected:
     void checkMarker(const Call& call, size_t argument, int id) const;
     /// Why a marker cannot be measured that MarkerFrames does not find.
     virtual std::string describeMissing(int id) const;
+    /// The text of a variable, or null.
+    virtual const std::string* findVariable(int) const { return nullptr; }
 
 private:
-    MarkerFrames& m_frames;
-};
+    Operand makeVariable(ProgramBuilder& builder, const Call& call);
 
-/// Compiles an expression that knows nothing but markers. @throws Error with the column of the mistake
-MarkerExpression compileMarkerExpression(std::string_view text, const MarkerFrames::FindMarker& find);
+    MarkerFrames& m_frames;
+    std::map<int, Operand> m_variables;  // compiled into this program already
+    std::vector<int> m_open;             // being compiled, outermost first
+};
 
 }  // namespace jprim
 

@@ -8,12 +8,14 @@
 namespace jprim {
 
 /// An expression evaluated at States of one system, with what that needs in a State: memory to work in, and
-/// the whole turns of its angles, counted from step to step of an integrator.
+/// the turns of its angles.
 class TrackedExpression {
 public:
-    explicit TrackedExpression(const Expression& expression) : m_expression(expression) {}
+    explicit TrackedExpression(const Expression& expression)
+        : m_expression(expression), m_angles(expression.getImplementation()) {}
 
     const MarkerExpression& get() const { return m_expression.getImplementation(); }
+    const AngleMemory& getAngles() const { return m_angles; }
 
     /// In realizeTopology().
     void allocate(const SimTK::Subsystem& subsystem, SimTK::State& state);
@@ -25,12 +27,8 @@ public:
     /// The time derivative of a scalar of positions along the motion. Requires Stage::Velocity.
     SimTK::Real calcRate(const SimTK::State& state) const;
 
-    /// Notes the angles, which depend on positions alone; for an owner that asks for no values while time goes
-    /// on. Requires Stage::Position.
-    void followAngles(const SimTK::State& state) const;
-
 private:
-    Evaluation& prepare(const SimTK::State& state, InputLevel highest) const;
+    Evaluation& prepare(const SimTK::State& state) const;
 
     Expression m_expression;
     AngleMemory m_angles;

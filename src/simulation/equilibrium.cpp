@@ -162,6 +162,7 @@ private:
         if (size > LongestStep) displacement *= LongestStep / size;
         move(displacement, m_state);
         settle(m_state);
+        m_state.autoUpdateDiscreteVariables();  // the way goes on for whole turns
     }
 
     // The part that is accelerated most.

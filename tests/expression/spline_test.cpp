@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Splines against curves that they must reproduce, published slopes, and differences.
-#include "expression/spline.h"
+#include "jprim/expression/spline.h"
 
 #include <gtest/gtest.h>
 

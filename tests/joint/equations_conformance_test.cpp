@@ -34,9 +34,10 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 }
 
 using M = const Marker&;
+// Threads and teeth are so large that the nearest one stays the same all over the differences.
 const Case Cases[] = {
-    {"Screw", [](M I, M J) { return *Joint::Screw(I, J, 0.7, 0.2).getGeneralConstraint(); }},
-    {"Rackpin", [](M I, M J) { return *Joint::Rackpin(I, J, -0.3, 0.1).getGeneralConstraint(); }},
+    {"Screw", [](M I, M J) { return *Joint::Screw(I, J, 17, 0.2).getGeneralConstraint(); }},
+    {"Rackpin", [](M I, M J) { return *Joint::Rackpin(I, J, -5, 0.1).getGeneralConstraint(); }},
     {"MotionX", makeMotion<Coordinate::X>},
     {"MotionZ", makeMotion<Coordinate::Z>},
     {"MotionRotation", makeMotion<Coordinate::Rotation>},

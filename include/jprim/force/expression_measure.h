@@ -9,7 +9,8 @@ namespace jprim {
 class ExpressionMeasureImpl;
 
 /// An expression as a member of a system, where its angles AX, AY and AZ count whole turns from step to step
-/// of an integrator. To Simbody it is a force element that applies no force; the handle holds no data.
+/// of an integrator, whether or not it is disabled. To Simbody it is a force element that applies no force; the
+/// handle holds no data.
 class ExpressionMeasure : public SimTK::Force::Custom {
 public:
     /// An empty handle; good only to be assigned to.
@@ -21,7 +22,17 @@ public:
     /// expression does.
     SimTK::Real calcValue(const SimTK::State& state) const;
 
+    /// @name Turns
+    /// How far the angles AX, AY and AZ in the expression have turned, as GeneralConstraint has them. They are
+    /// remembered: a State to which nothing but q and u is copied has to be given them too.
+    ///@{
+    SimTK::Vector getTurns(const SimTK::State& state) const;
+    void setTurns(SimTK::State& state, const SimTK::Vector& turns) const;
+    void resetTurns(SimTK::State& state) const;
+    ///@}
+
 private:
+    const ExpressionMeasureImpl& getImpl() const;
     ExpressionMeasure(SimTK::GeneralForceSubsystem& forces, ExpressionMeasureImpl* implementation);
 };
 

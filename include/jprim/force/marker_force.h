@@ -45,6 +45,16 @@ public:
     /// Stage::Velocity.
     SimTK::Real calcPotentialRate(const SimTK::State& state) const;
 
+    /// @name Turns
+    /// How far the angles AX, AY and AZ in the law's force, moment and potential have turned, one after the other, as
+    /// GeneralConstraint has them. They are remembered, also while the force is disabled: a State to which nothing
+    /// but q and u is copied has to be given them too.
+    ///@{
+    SimTK::Vector getTurns(const SimTK::State& state) const;
+    void setTurns(SimTK::State& state, const SimTK::Vector& turns) const;
+    void resetTurns(SimTK::State& state) const;
+    ///@}
+
 private:
     explicit MarkerForce(SimTK::GeneralForceSubsystem& forces, MarkerForceImpl* implementation);
     const MarkerForceImpl& getImpl() const;

@@ -60,6 +60,25 @@ public:
     SimTK::Real calcEquationError(const SimTK::State& state) const;
     ///@}
 
+    /// @name Turns
+    /// How far the angles AX, AY and AZ in f have turned, one number for each pair of markers and axis in f in the
+    /// order in which f names them: angle/2 pi, so that the nearest whole number is the count of whole turns. See
+    /// the page of Expression for how they are counted. Where f contains one angle, times a constant, f = 0 itself
+    /// says in which turn it is: the nearest that the equation asks for, whatever happened before, and setting the
+    /// turns changes nothing. Where it contains several times constants in the ratio of whole numbers up to 200 (a
+    /// COUPLER of gears), f is likewise reduced by what whole turns can change in it, so that it does not depend on
+    /// the turns remembered. An equation of dq/dt, d2q/dt2 or velocities is about none.
+    ///@{
+    /// Requires Stage::Position.
+    SimTK::Vector getTurns(const SimTK::State& state) const;
+    /// Each angle is from now on sought within half a turn of the one given; so a number read from getTurns() and a
+    /// whole number serve alike. Requires Stage::Model; the State goes back to before Stage::Position.
+    /// @throws Error, naming the constraint, for another number of turns or one that is not finite
+    void setTurns(SimTK::State& state, const SimTK::Vector& turns) const;
+    /// As in a new State: each angle within half a turn of zero.
+    void resetTurns(SimTK::State& state) const;
+    ///@}
+
     /// The load [moment, force] on the marker with this key in the expression, at its origin, in Ground or in
     /// the axes of a marker; zero if the expression does not depend on it, or the constraint is disabled.
     /// Requires Stage::Acceleration.

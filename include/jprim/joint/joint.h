@@ -28,8 +28,9 @@ namespace jprim {
 /// | Screw | DZ(I,J,J) = pitch AZ(I,J) / 2 pi + offset | 5: it keeps nothing else |
 /// | Rackpin | DZ(I,J,J) = diameter/2 angle + offset | 5; I on the pinion, z_J along the rack's travel |
 ///
-/// Screw and Rackpin count whole turns. The angle of a Rackpin is that of I about z_I, from where x_I points
-/// along z_J.
+/// A Screw and a Rackpin go on for whole turns, and their travel says how many: the thread or tooth nearest to where
+/// I and J are is taken, in every State for itself, so nothing needs to be remembered. The angle of a Rackpin is that
+/// of I about z_I, from where x_I points along z_J.
 ///
 /// Of the load on I at I's origin, the force is what the first primitive would carry and the moment what the second
 /// would, in all but a Screw and a Rackpin.
@@ -79,6 +80,11 @@ public:
     void disable(SimTK::State& state) const { getConstraint().disable(state); }
     void enable(SimTK::State& state) const { getConstraint().enable(state); }
     bool isDisabled(const SimTK::State& state) const { return getConstraint().isDisabled(state); }
+
+    /// The turns of a Screw or a Rackpin that its travel asks for, fractions included: [travel - offset]/pitch or
+    /// its like, up to the error of the equation; no numbers of other joints. Requires Stage::Position. As
+    /// GeneralConstraint::getTurns(): a State needs no others to be set.
+    SimTK::Vector getTurns(const SimTK::State& state) const;
 
     /// @name Reaction
     /// [moment, force] acting on the marker's body, in Ground's axes or those of a

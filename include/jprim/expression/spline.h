@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef JPRIM_SRC_EXPRESSION_SPLINE_H_
-#define JPRIM_SRC_EXPRESSION_SPLINE_H_
+#ifndef JPRIM_EXPRESSION_SPLINE_H_
+#define JPRIM_EXPRESSION_SPLINE_H_
 
 #include <string>
 #include <vector>
