@@ -66,7 +66,7 @@ public:
         : m_mechanism(mechanism),
           m_options(options),
           m_recorder(mechanism),
-          m_energy(mechanism, options.accuracy, m_outcome.summary),
+          m_energy(mechanism, m_outcome.summary),
           m_watch(mechanism, [this](const State& state) { return makeStepperFrom(state); }) {}
 
     SimulationOutcome run(const State& initial) {
