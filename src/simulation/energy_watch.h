@@ -12,12 +12,11 @@ namespace jprim {
 /// Keeps account of the energy of a mechanism from step to step.
 class EnergyWatch {
 public:
-    /// @param accuracy  of the integrator
     /// @param summary  where start, end and largest changes of the energy are written
-    EnergyWatch(const Mechanism& mechanism, double accuracy, SimulationSummary& summary)
-        : m_mechanism(mechanism), m_accuracy(accuracy), m_summary(summary) {}
+    EnergyWatch(const Mechanism& mechanism, SimulationSummary& summary)
+        : m_mechanism(mechanism), m_summary(summary) {}
 
-    /// Requires Stage::Velocity.
+    /// Requires Stage::Velocity, and at the start Stage::Dynamics.
     void observe(const SimTK::State& state);
 
     /// Of integrated motions, after observe().
@@ -29,13 +28,12 @@ private:
     void start(const SimTK::State& state, SimTK::Real energy);
 
     const Mechanism& m_mechanism;
-    double m_accuracy;
     SimulationSummary& m_summary;
     bool m_isStarted = false;
     std::optional<SimTK::Real> m_balanceAtStart;
     SimTK::Real m_kinetic = 0, m_lastBalance = 0, m_lastKinetic = 0;
     SimTK::Real m_leastKinetic = 0, m_mostKinetic = 0;
-    SimTK::Real m_smallestScale = 0, m_unnoticed = 0;
+    SimTK::Real m_smallestScale = 0;
 };
 
 }  // namespace jprim

@@ -6,7 +6,9 @@
 
 #include "jprim/base/error.h"
 #include "simulation/failure.h"
+#include "simulation/motion_scale.h"
 #include "simulation/projection.h"
+#include "simulation/quadrature.h"
 #include "simulation/step_history.h"
 #include "simulation/stepper.h"
 
@@ -22,6 +24,7 @@ namespace {
 struct IntegratorEntry {
     const char* name;
     std::unique_ptr<Integrator> (*make)(const MultibodySystem&);
+    bool isRungeKutta = false;    ///< one that integrates all variables alike
     bool remembersSteps = false;  ///< a multistep method, which begins anew if a state is changed
 };
 
@@ -31,11 +34,11 @@ std::unique_ptr<Integrator> makeIntegrator(const MultibodySystem& system) {
 }
 
 const IntegratorEntry Integrators[] = {
-    {"RungeKuttaMerson", makeIntegrator<SimTK::RungeKuttaMersonIntegrator>},
-    {"RungeKutta3", makeIntegrator<SimTK::RungeKutta3Integrator>},
+    {"RungeKuttaMerson", makeIntegrator<SimTK::RungeKuttaMersonIntegrator>, true},
+    {"RungeKutta3", makeIntegrator<SimTK::RungeKutta3Integrator>, true},
     {"Verlet", makeIntegrator<SimTK::VerletIntegrator>},
     {"SemiExplicitEuler2", makeIntegrator<SimTK::SemiExplicitEuler2Integrator>},
-    {"CPodes", makeIntegrator<SimTK::CPodesIntegrator>, true}};
+    {"CPodes", makeIntegrator<SimTK::CPodesIntegrator>, false, true}};
 
 const IntegratorEntry& findEntry(const std::string& name) {
     for (const IntegratorEntry& entry : Integrators)
@@ -45,9 +48,9 @@ const IntegratorEntry& findEntry(const std::string& name) {
 }
 
 std::unique_ptr<Integrator> makeIntegrator(const Mechanism& mechanism, const SimulationOptions& options,
-                                           const IntegratorEntry& entry) {
+                                           const IntegratorEntry& entry, Real unit = 1) {
     std::unique_ptr<Integrator> integrator = entry.make(mechanism.getSystem());
-    integrator->setAccuracy(options.accuracy);
+    integrator->setAccuracy(unit * options.accuracy);
     integrator->setConstraintTolerance(options.getConstraintTolerance());
     if (std::isfinite(options.maximumStep))
         integrator->setMaximumStepSize(options.maximumStep * mechanism.getUnits().time);
@@ -67,8 +70,14 @@ Real calcLargestAngularVelocity(const Mechanism& mechanism, const State& state) 
 class Integration : public Stepper {
 public:
     Integration(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
-        : m_mechanism(mechanism), m_options(options), m_entry(findEntry(options.integrator)) {
-        restart(initial);
+        : m_mechanism(mechanism),
+          m_options(options),
+          m_entry(findEntry(options.integrator)),
+          m_scale(mechanism, initial),
+          m_quadrature(mechanism.getSystem()) {
+        begin(initial);
+        m_unit = calcCommonUnit();
+        if (m_entry.remembersSteps && m_unit < 1) restart(initial);
         m_history.add(initial);
     }
 
@@ -76,22 +85,79 @@ public:
     int getNumSteps() const override { return m_numStepsBefore + m_integrator->getNumStepsTaken(); }
 
     void step(Real time) override {
-        m_mechanism.getSystem().realize(getState(), SimTK::Stage::Acceleration);
-        const Real end = std::min(time, getState().getTime() + calcTimeOfARadian(m_mechanism, getState()));
-        try {
-            advance(*m_integrator, end);
-            project(*m_integrator);
-        } catch (const std::exception& exception) {
-            if (!isStuck(exception) || !crossSingularPosition(time)) throw;
-        }
+        if (m_entry.remembersSteps && m_isAtRest)
+            stepFromRest(time);
+        else
+            takeStep(time);
         m_history.add(getState());
     }
 
 private:
     void restart(const State& state) {
+        std::unique_ptr<Integrator> integrator = makeIntegrator(m_mechanism, m_options, m_entry, m_unit);
+        integrator->initialize(state);
         if (m_integrator) m_numStepsBefore += m_integrator->getNumStepsTaken();
-        m_integrator = makeIntegrator(m_mechanism, m_options, m_entry);
-        m_integrator->initialize(state);
+        m_integrator = std::move(integrator);
+    }
+
+    void begin(const State& state) {
+        restart(state);
+        m_quadrature.start(getState());
+        lookAtMotion();
+    }
+
+    void takeStep(Real time) {
+        const Real end = std::min(time, getState().getTime() + m_timeOfARadian);
+        try {
+            adaptToMotion();
+            advance(*m_integrator, end);
+            project(*m_integrator);
+        } catch (const std::exception& exception) {
+            if (!isStuck(exception) || !crossSingularPosition(time)) throw;
+        }
+        lookAtMotion();
+    }
+
+    // CPodes stays at rest by long steps, if rounding errors do not keep it from them. What begins to move in such a
+    // step was held against nothing, and is moved again.
+    void stepFromRest(Real time) {
+        constexpr Real Far = 10;
+        const State start = getState();
+        const MotionScale scale = m_scale;
+        for (takeStep(time); calcCommonUnit() < m_unit / Far; takeStep(time)) {
+            m_unit = calcCommonUnit();
+            m_scale = scale;
+            begin(start);
+        }
+    }
+
+    void lookAtMotion() {
+        constexpr Real First = 0.01;  // as Simbody's own
+        const State& state = getState();
+        m_mechanism.getSystem().realize(state, SimTK::Stage::Acceleration);
+        m_timeOfARadian = calcTimeOfARadian(m_mechanism, state);
+        m_scale.observe(state);
+        m_isAtRest = m_scale.isAtRest(state, First);
+        const bool isFirst = m_integrator->getNumStepsTaken() == 0;
+        const Real h = isFirst ? First : m_integrator->getPredictedNextStepSize();
+        m_units = m_scale.calcUnits(state, std::min(h, m_timeOfARadian), m_options.accuracy);
+        if (!m_entry.isRungeKutta && state.getNZ() > 0)
+            m_quadrature.advance(m_integrator->updAdvancedState());
+    }
+
+    // Errors are held against the motion that there is. CPodes knows one accuracy only, and begins anew with another.
+    void adaptToMotion() {
+        if (!m_entry.remembersSteps) {
+            m_integrator->updAdvancedState().updUWeights() = m_units.elementwiseInvert();
+        } else if (!m_isAtRest && m_units.normInf() > m_unit) {
+            m_unit = calcCommonUnit();
+            restart(getState());
+        }
+    }
+
+    Real calcCommonUnit() const {
+        constexpr Real Ahead = 6;  // what moves a little more soon is worth no new beginning
+        return m_isAtRest ? 1 : std::min(1., Ahead * m_units.normInf());
     }
 
     static void advance(Integrator& integrator, Real end) {
@@ -105,8 +171,9 @@ private:
     // freedoms take steps that are too long.
     void project(Integrator& integrator) const {
         if (m_entry.remembersSteps || integrator.getState().getNMultipliers() == 0) return;
-        projectAtLeastOnce(m_mechanism.getSystem(), integrator.updAdvancedState(),
-                           m_options.getConstraintTolerance());
+        State& state = integrator.updAdvancedState();
+        state.updUWeights() = 1;
+        projectAtLeastOnce(m_mechanism.getSystem(), state, m_options.getConstraintTolerance());
         integrator.reinitialize(SimTK::Stage::Position, false);
     }
 
@@ -129,6 +196,7 @@ private:
         across->setProjectEveryStep(true);
         across->setFixedStepSize(m_crossedUntil - state.getTime());
         restart(integrate(state, m_crossedUntil, *across));
+        m_quadrature.start(getState());
         return true;
     }
 
@@ -145,6 +213,12 @@ private:
     const SimulationOptions& m_options;
     const IntegratorEntry& m_entry;
     std::unique_ptr<Integrator> m_integrator;
+    MotionScale m_scale;
+    SimTK::Vector m_units;  // of speeds
+    Real m_unit = 1;        // of the integrator's accuracy
+    bool m_isAtRest = true;
+    Real m_timeOfARadian = 0;
+    Quadrature m_quadrature;
     StepHistory m_history;
     int m_numStepsBefore = 0;  // of integrators before this one
     int m_attempts = 0;        // to get across the same singular position

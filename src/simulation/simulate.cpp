@@ -69,7 +69,7 @@ public:
         : m_mechanism(mechanism),
           m_options(options),
           m_recorder(mechanism),
-          m_energy(mechanism, options.accuracy, m_outcome.summary),
+          m_energy(mechanism, m_outcome.summary),
           m_reactions(mechanism),
           m_watch(mechanism, m_outcome.sensors,
                   [this](const State& state) { return makeStepperFrom(state); }) {}

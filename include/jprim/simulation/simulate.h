@@ -35,7 +35,8 @@ struct SimulationOptions {
     /// too, after a shorter step if the length does not divide the run.
     std::optional<double> outputStep;
     std::vector<SensorState> sensors;  ///< in the order of Mechanism::getSensors(); what is missing is Armed
-    double accuracy = 1e-6;            ///< relative, of the integrator
+    /// Relative, of the integrator: errors of a step are held against how far and how fast a part has moved so far.
+    double accuracy = 1e-6;
     /// What the root mean square of constraint errors may be, in the mechanism's length unit and radians; a tenth of
     /// the accuracy if not given.
     std::optional<double> constraintTolerance;
@@ -69,11 +70,12 @@ struct SimulationSummary {
     double largestEnergyChange = 0;  ///< over all steps, from the start
     /// Over all integrated steps, of Mechanism::calcEnergyBalance(): energy that has come from nowhere or is lost.
     double largestImbalance = 0;
-    /// What that may be without a warning: a thousandth of energyScale, or if more the kinetic energy of speeds that the
-    /// accuracy does not tell from rest.
+    /// What that may be without a warning: five thousandths of energyScale or of largestEnergyChange, or if more a
+    /// thousandth of the largest kinetic energy. Motions that are right to a thousandth have less.
     double tolerableImbalance = 0;
     /// What changes are held against: largest less smallest kinetic energy; 1e-3 of the largest if it hardly
-    /// changes, and where hardly anything moves 1e-9 of the work of the parts' weights over their sizes.
+    /// changes, and where hardly anything moves 1e-10 of the work of weights and forces over the parts' sizes, and the
+    /// energy at 1e-9 length units/s.
     double energyScale = 0;
     bool isKinematic = false;  ///< nothing was integrated: positions followed from the constraints
     int stepsTaken = 0;        ///< of the integrator or the kinematic solution

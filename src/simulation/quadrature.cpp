@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/quadrature.h"
+
+#include <cmath>
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::State;
+using SimTK::Vector;
+
+Quadrature::Moment Quadrature::makeMoment(const State& state) {
+    return {state.getTime(),      Vector(state.getQ()),   Vector(state.getQDot()), Vector(state.getQDotDot()),
+            Vector(state.getZ()), Vector(state.getZDot())};
+}
+
+void Quadrature::start(const State& state) {
+    m_start = makeMoment(state);
+    m_between = state;
+}
+
+// Hermite's polynomials for values, rates and second derivatives at both ends.
+Vector Quadrature::calcRateBetween(const Moment& end, Real s) {
+    const Moment& start = m_start;
+    const Real h = end.time - start.time, r = 1 - s, s2 = s * s, r2 = r * r;
+    const Real value = s2 * s * (10 - 15 * s + 6 * s2);
+    const Real slope = 30 * s2 * r2;
+    m_between.updTime() = start.time + s * h;
+    m_between.updQ() = (1 - value) * start.q + value * end.q +
+                       h * (s * r2 * r * (1 + 3 * s) * start.qDot - r * s2 * s * (1 + 3 * r) * end.qDot) +
+                       h * h / 2 * (s2 * r2 * r * start.qDotDot + r2 * s2 * s * end.qDotDot);
+    m_system.realize(m_between, SimTK::Stage::Position);
+    const Vector qDot = slope / h * (end.q - start.q) + r2 * (1 - 3 * s) * (1 + 5 * s) * start.qDot +
+                        s2 * (1 - 3 * r) * (1 + 5 * r) * end.qDot +
+                        h / 2 * s * r * (r * (2 - 5 * s) * start.qDotDot - s * (2 - 5 * r) * end.qDotDot);
+    Vector u;
+    m_system.getMatterSubsystem().multiplyByNInv(m_between, false, qDot, u);
+    m_between.updU() = u;
+    m_system.realize(m_between, SimTK::Stage::Acceleration);
+    const Vector rate = m_between.getZDot();
+    m_between.autoUpdateDiscreteVariables();
+    return rate;
+}
+
+// The rule's two inner points alone are a rule of second order, and their difference shows where rates are not smooth.
+Vector Quadrature::calcIntegral(const Moment& end, Real a, const Vector& rateA, Real b, const Vector& rateB,
+                                int halvings) {
+    constexpr Real OfTurnover = 1e-3;
+    const Real inner = (1 - 1 / std::sqrt(5.)) / 2, twelfth = (b - a) * (end.time - m_start.time) / 12;
+    const Vector inside =
+        calcRateBetween(end, a + inner * (b - a)) + calcRateBetween(end, b - inner * (b - a));
+    const Vector integral = twelfth * (rateA + 5 * inside + rateB);
+    const Real doubt = twelfth * Vector(rateA - inside + rateB).normInf();
+    if (halvings == 0 || doubt <= OfTurnover * (m_turnover + integral.normInf())) return integral;
+    const Real middle = (a + b) / 2;
+    const Vector rate = calcRateBetween(end, middle);
+    return calcIntegral(end, a, rateA, middle, rate, halvings - 1) +
+           calcIntegral(end, middle, rate, b, rateB, halvings - 1);
+}
+
+void Quadrature::advance(State& state) {
+    constexpr int MostHalvings = 5;
+    const Moment end = makeMoment(state);
+    if (end.time <= m_start.time) return;
+    const Vector integral = calcIntegral(end, 0, m_start.zDot, 1, end.zDot, MostHalvings);
+    m_turnover += integral.normInf();
+    state.updZ() = m_start.z + integral;
+    m_start = end;
+    m_start.z = state.getZ();
+}
+
+}  // namespace jprim
