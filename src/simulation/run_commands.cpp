@@ -100,7 +100,10 @@ private:
     }
 
     void start() {
-        if (!m_state) m_state = assemble(m_mechanism).state;
+        if (m_state) return;
+        const AssembledState initial = assemble(m_mechanism);
+        m_outcome.yielded = initial.yielded;
+        m_state = initial.state;
     }
 
     // (id, name) of the elements of a kind in a range; a single id must exist.
