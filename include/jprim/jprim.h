@@ -41,6 +41,7 @@
 #include "jprim/primitive/primitive.h"
 #include "jprim/primitive/primitives.h"
 #include "jprim/simulation/assemble.h"
+#include "jprim/simulation/assemble_system.h"
 #include "jprim/simulation/equilibrium.h"
 #include "jprim/simulation/results.h"
 #include "jprim/simulation/run_commands.h"

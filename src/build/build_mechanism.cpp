@@ -225,7 +225,13 @@ Joint MechanismBuilder::makeJoint(const JointStatement& s, const std::string& na
 
 std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics,
                                         const BuildOptions& options) {
-    return MechanismBuilder(dataset, diagnostics, options).build();
+    std::optional<Mechanism> mechanism = MechanismBuilder(dataset, diagnostics, options).build();
+    if (mechanism && options.formulation == Formulation::Tree)
+        mechanism->m_makeWithFreeParts = [dataset] {
+            Diagnostics known;  // what was found in it has been said
+            return std::move(buildMechanism(dataset, known, {Formulation::Constraints}).value());
+        };
+    return mechanism;
 }
 
 }  // namespace jprim

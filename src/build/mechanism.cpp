@@ -26,19 +26,45 @@ bool Mechanism::isConservative() const {
     return true;
 }
 
+namespace {
+
+// X_FM of a part's mobilizer between bodies at these poses.
+Transform calcMobilizerPose(const State& state, const MechanismPart& part, const Transform& X_GP,
+                            const Transform& X_GB) {
+    return ~(X_GP * part.body.getInboardFrame(state)) * (X_GB * part.body.getOutboardFrame(state));
+}
+
+}  // namespace
+
 Transform Mechanism::calcGivenMobilizerPose(const State& state, const MechanismPart& part) const {
     const int parent = part.attachment.parent;
-    const Transform X_GP = parent < 0 ? Transform() : m_parts[size_t(parent)].calcGivenBodyPose();
-    const Transform X_GF = X_GP * part.body.getInboardFrame(state);
-    return ~X_GF * (part.calcGivenBodyPose() * part.body.getOutboardFrame(state));
+    return calcMobilizerPose(state, part,
+                             parent < 0 ? Transform() : m_parts[size_t(parent)].calcGivenBodyPose(),
+                             part.calcGivenBodyPose());
+}
+
+void Mechanism::fitPoses(const std::vector<Transform>& poses, State& state) const {
+    for (size_t k = 0; k < m_parts.size(); ++k) {
+        const int parent = m_parts[k].attachment.parent;
+        if (m_parts[k].ground) continue;
+        m_parts[k].body.setQToFitTransform(
+            state,
+            calcMobilizerPose(state, m_parts[k], parent < 0 ? Transform() : poses[size_t(parent)], poses[k]));
+    }
 }
 
 State Mechanism::makeGivenState() const {
     State state = getSystem().realizeTopology();
     getSystem().realizeModel(state);
-    for (const MechanismPart& part : m_parts)
-        if (!part.ground) part.body.setQToFitTransform(state, calcGivenMobilizerPose(state, part));
+    std::vector<Transform> poses;
+    for (const MechanismPart& part : m_parts) poses.push_back(part.calcGivenBodyPose());
+    fitPoses(poses, state);
     return state;
+}
+
+std::optional<Mechanism> Mechanism::makeWithFreeParts() const {
+    if (!m_makeWithFreeParts) return std::nullopt;
+    return m_makeWithFreeParts();
 }
 
 Real Mechanism::calcKineticEnergy(const State& state) const {

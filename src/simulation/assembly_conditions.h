@@ -2,47 +2,75 @@
 #ifndef JPRIM_SRC_SIMULATION_ASSEMBLY_CONDITIONS_H_
 #define JPRIM_SRC_SIMULATION_ASSEMBLY_CONDITIONS_H_
 
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "jprim/build/mechanism.h"
+#include "jprim/simulation/assemble.h"
+#include "simulation/position_condition.h"
 
 namespace jprim {
 
-/// PART/EXACT as something the Assembler must satisfy: the named ones of the coordinates X, Y, Z [sizes of
-/// the part] and PSI, THETA, PHI [rad] of the part's BCS keep their given values.
+using PositionConditions = std::vector<std::shared_ptr<const PositionCondition>>;
+
+/// PART/EXACT: the named ones of the coordinates X, Y, Z [length units] and PSI, THETA, PHI [rad] of the part's BCS
+/// keep their given values.
 ///
 /// 3-1-3 angles are singular where z stands upright, as in every plane mechanism. There PSI and PHI are both
 /// the turn about z, and THETA is held by not tilting z.
-class ExactCoordinates : public SimTK::AssemblyCondition {
+class ExactCoordinates : public PositionCondition {
 public:
-    explicit ExactCoordinates(const MechanismPart& part)
-        : AssemblyCondition(part.name + " EXACT"), m_part(part) {}
+    explicit ExactCoordinates(const MechanismPart& part) : m_part(part) {}
 
-    int calcErrors(const SimTK::State& state, SimTK::Vector& errors) const override;
+    SimTK::Vector calcErrors(const SimTK::State& state) const override;
+    void addDirections(const SimTK::State& state, int equation, Directions& directions) const override;
 
 private:
-    void addTurns(const SimTK::Rotation& R_GP, std::vector<SimTK::Real>& held) const;
+    std::vector<SimTK::Real> calcErrors(const SimTK::Transform& X_GP) const;
 
     const MechanismPart& m_part;
 };
 
-/// Coordinates given for the start, likewise [length units, rad]. Angles are met on the nearest turn.
-class GivenCoordinates : public SimTK::AssemblyCondition {
+/// A coordinate with a value given for the start. Angles are met on the nearest turn.
+class GivenCoordinate : public PositionCondition {
 public:
-    explicit GivenCoordinates(std::vector<InitialCoordinate> coordinates)
-        : AssemblyCondition("initial coordinates"), m_coordinates(std::move(coordinates)) {}
+    explicit GivenCoordinate(const InitialCoordinate& given) : m_given(given) {}
 
-    int calcErrors(const SimTK::State& state, SimTK::Vector& errors) const override;
+    SimTK::Vector calcErrors(const SimTK::State& state) const override;
+    void addDirections(const SimTK::State& state, int equation, Directions& directions) const override;
 
 private:
-    std::vector<InitialCoordinate> m_coordinates;
+    const InitialCoordinate& m_given;
 };
 
-/// The largest error of the coordinates given for the start, and whose it is.
-std::pair<SimTK::Real, std::string> findCoordinateError(const Mechanism& mechanism,
-                                                        const SimTK::State& state);
+/// Keeps another condition's errors what they are in a State.
+class KeptCondition : public PositionCondition {
+public:
+    KeptCondition(std::shared_ptr<const PositionCondition> condition, const SimTK::State& state)
+        : m_condition(std::move(condition)), m_errors(m_condition->calcErrors(state)) {}
+
+    SimTK::Vector calcErrors(const SimTK::State& state) const override {
+        return m_condition->calcErrors(state) - m_errors;
+    }
+    void addDirections(const SimTK::State& state, int equation, Directions& directions) const override {
+        m_condition->addDirections(state, equation, directions);
+    }
+
+private:
+    std::shared_ptr<const PositionCondition> m_condition;
+    SimTK::Vector m_errors;
+};
+
+PositionConditions makeExactConditions(const Mechanism& mechanism);
+PositionConditions makeInitialConditions(const Mechanism& mechanism);
+
+/// The coordinates that EXACT names and the State misses by more than `tolerance` [sizes of the part, rad]; the
+/// worst first.
+std::vector<MissedCoordinate> findMissedExact(const Mechanism& mechanism, const SimTK::State& state,
+                                              SimTK::Real tolerance);
+/// The same of values given for the start [length units, rad].
+std::vector<MissedCoordinate> findMissedInitial(const Mechanism& mechanism, const SimTK::State& state,
+                                                SimTK::Real tolerance);
 
 /// What assembly must not move, for messages: the parts with EXACT coordinates and the elements with given
 /// ones; empty if there is none.

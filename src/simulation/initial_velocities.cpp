@@ -15,8 +15,8 @@
 #include <algorithm>
 
 #include "jprim/marker/marker_pair.h"
-#include "marker/marker_expression.h"
 #include "simulation/constraint_jacobian.h"
+#include "simulation/coordinate_direction.h"
 
 namespace jprim {
 
@@ -69,33 +69,23 @@ private:
 
     // The row that multiplies u to direction . V of the part's body.
     void addRow(const MechanismPart& part, const SpatialVec& direction, Real value) {
-        SimTK::Vector_<SpatialVec> directions(m_matter.getNumBodies(), SpatialVec(Vec3(0), Vec3(0)));
-        directions[part.body.getMobilizedBodyIndex()] = direction;
-        addRow(directions, Vector(m_state.getNU(), Real(0)), value);
+        Directions directions(m_matter, m_state);
+        directions.onBodies[part.body.getMobilizedBodyIndex()] = direction;
+        addRow(directions, value);
     }
 
-    void addRow(const SimTK::Vector_<SpatialVec>& directions, const Vector& onSpeeds, Real value) {
+    void addRow(const Directions& directions, Real value) {
         Vector row;
-        m_matter.multiplyBySystemJacobianTranspose(m_state, directions, row);
-        row += onSpeeds;
+        m_matter.multiplyBySystemJacobianTranspose(m_state, directions.onBodies, row);
+        row += directions.onSpeeds;
         m_rows.emplace_back(Eigen::Map<const Eigen::VectorXd>(&row[0], row.size()));
         m_values.push_back(value);
     }
 
-    // The rate of a coordinate: the sum of direction . V over its markers.
     void addRate(const MarkerExpression& q, Real rate) {
-        Evaluation evaluation(q.program);
-        q.setInputs(m_state, evaluation);
-        evaluation.calcValue();
-        evaluation.calcGradient();
-        std::vector<MarkerMotion> motions(q.markers.size());
-        for (size_t k = 0; k < motions.size(); ++k) motions[k].X = q.markers[k].findPoseInGround(m_state);
-        SimTK::Vector_<SpatialVec> directions(m_matter.getNumBodies(), SpatialVec(Vec3(0), Vec3(0)));
-        Vector onSpeeds(m_state.getNU(), Real(0));
-        for (size_t k = 0; k < motions.size(); ++k)
-            q.markers[k].applyLoad(m_state, q.getDirection(evaluation, motions.data(), int(k)), directions,
-                                   onSpeeds);
-        addRow(directions, onSpeeds, rate);
+        Directions directions(m_matter, m_state);
+        addCoordinateDirections(q, m_state, directions);
+        addRow(directions, rate);
     }
 
     const SimTK::SimbodyMatterSubsystem& m_matter;

@@ -126,7 +126,9 @@ private:
 
     void start() {
         if (m_state) return;
-        m_state = assemble(m_mechanism).state;
+        const AssembledState initial = assemble(m_mechanism);
+        m_outcome.yielded = initial.yielded;
+        m_state = initial.state;
         m_sensors.assign(m_mechanism.getSensors().size(), SensorState::Armed);
     }
 

@@ -23,10 +23,12 @@ State getGivenState(const Mechanism& mechanism) {
     return state;
 }
 
-AssemblyFailure diagnoseFailure(const Mechanism& mechanism, const State& given, const std::string& message) {
+AssemblyFailure diagnoseFailure(const Mechanism& mechanism, const State& given, const std::exception& error) {
     const ElementNames names = mechanism.getElementNames();
-    AssemblyFailure failure{message, findConflicts(mechanism.getMatter(), given, names), {}, {}};
-    const State& nearest = failure.conflicts.state;
+    AssemblyFailure failure{error.what(), findConflicts(mechanism.getMatter(), given, names), {}, {}, {}};
+    const auto* assembly = dynamic_cast<const AssemblyError*>(&error);
+    if (assembly) failure.missed = assembly->getMissed();
+    const State nearest = failure.missed.empty() ? failure.conflicts.state : assembly->getNearest();
     mechanism.getSystem().realize(nearest, Stage::Position);
     failure.left = calcViolation(mechanism, nearest);
     failure.flipped = findFlippedAxes(mechanism.getMatter(), nearest, names);
@@ -44,7 +46,7 @@ void diagnose(CheckReport& report) {
         report.constraints =
             analyzeConstraints(mechanism.getMatter(), report.assembled->state, mechanism.getElementNames());
     } catch (const std::exception& error) {
-        report.failure = diagnoseFailure(mechanism, given, error.what());
+        report.failure = diagnoseFailure(mechanism, given, error);
         report.constraints.numMobilities = given.getNU();
         report.constraints.numEquations = int(findEquations(mechanism.getMatter(), given).size());
     }
@@ -76,6 +78,7 @@ ExitCode check(const CheckArguments& arguments) {
     if (report.model.mechanism && arguments.formulation == Formulation::Tree)
         report.tree = makeTree(report.model.dataset);
     if (report.failure) printError(arguments.model, report.failure->message);
+    if (report.assembled) warnOfYielded(arguments.model, *report.model.mechanism, report.assembled->yielded);
     if (arguments.json)
         printJson(report);
     else if (report.model.mechanism)

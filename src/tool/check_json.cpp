@@ -17,6 +17,16 @@ Json makeViolation(const Violation& v, const UnitSystem& units) {
     return {{"length", v.length / units.length}, {"angle", v.angle}, {"element", v.element}};
 }
 
+Json makeMissed(const std::vector<MissedCoordinate>& missed, const UnitSystem& units) {
+    Json list = Json::array();
+    for (const MissedCoordinate& m : missed)
+        list.push_back({{"element", m.element},
+                        {"coordinate", m.coordinate},
+                        {"amount", m.isLength ? m.amount / units.length : m.amount},
+                        {"unit", m.isLength ? "length" : "rad"}});
+    return list;
+}
+
 Json makeEquation(const ConstraintEquation& equation) {
     return {{"element", equation.element}, {"equation", equation.words}, {"level", getName(equation.level)}};
 }
@@ -78,6 +88,7 @@ void addFreedoms(const ConstraintReport& c, Json& json) {
 
 void addAssembly(const AssembledState& assembled, const UnitSystem& units, Json& json) {
     json["violation_after_assembly"] = makeViolation(assembled.after, units);
+    json["yielded"] = makeMissed(assembled.yielded, units);
     json["moved"] = Json::array();
     for (const MovedPart& part : assembled.moved)
         json["moved"].push_back(
@@ -86,6 +97,7 @@ void addAssembly(const AssembledState& assembled, const UnitSystem& units, Json&
 
 void addFailure(const AssemblyFailure& failure, const UnitSystem& units, Json& json) {
     json["least_violation"] = makeViolation(failure.left, units);
+    json["missed"] = makeMissed(failure.missed, units);
     json["conflicts"] = Json::array();
     for (const Conflict& conflict : failure.conflicts.conflicts) {
         Json equations = Json::array();

@@ -18,6 +18,7 @@ namespace jprim::tool {
 struct AssemblyFailure {
     std::string message;
     ConflictReport conflicts;
+    std::vector<MissedCoordinate> missed;  ///< given coordinates that are in the way
     Violation left;
     std::vector<FlippedAxes> flipped;
 };

@@ -28,6 +28,7 @@ public:
     void printViolation(const char* when, const Violation& violation) const;
     void printMoved() const;
     void printConflicts() const;
+    void printMissed() const;
     void printFlipped() const;
 
 private:
@@ -135,10 +136,7 @@ void Printer::printMoved() const {
 
 void Printer::printConflicts() const {
     const ConflictReport& report = m_report.failure->conflicts;
-    if (report.isAssembled()) {
-        printLine("no conflict", "the equations alone can be met near the given positions");
-        return;
-    }
+    if (report.isAssembled()) return printMissed();
     for (const Conflict& conflict : report.conflicts) {
         printLine("conflict",
                   fmt::format("{} equations cannot be met together; left are", conflict.equations.size()));
@@ -147,6 +145,19 @@ void Printer::printConflicts() const {
             printLine("", equation.getText() + ": " + formatError(equation, conflict.errors[k]));
         }
     }
+}
+
+void Printer::printMissed() const {
+    const std::vector<MissedCoordinate>& missed = m_report.failure->missed;
+    if (missed.empty()) {
+        printLine("no conflict", "of positions: the equations can be met near the given ones");
+        return;
+    }
+    printLine("conflict", "given coordinates contradict the constraints or each other; missed are");
+    for (const MissedCoordinate& m : missed)
+        printLine("", fmt::format("{} {}: {}", m.element, m.coordinate,
+                                  m.isLength ? fmt::format("{:.3g} {}", m.amount / m_units.length, m_length)
+                                             : fmt::format("{:.3g} rad", m.amount)));
 }
 
 void Printer::printFlipped() const {

@@ -9,6 +9,7 @@
 #include "jprim/base/diagnostic.h"
 #include "jprim/build/build_mechanism.h"
 #include "jprim/dataset/commands.h"
+#include "jprim/simulation/assemble.h"
 
 namespace jprim::tool {
 
@@ -77,6 +78,10 @@ LoadedCommands loadCommands(const std::string& path, Formulation formulation);
 
 /// What a length is called in the dataset: "MILLIMETER", or "length units" where it names none.
 std::string getLengthName(const Dataset& dataset);
+
+/// Warns on standard error of EXACT coordinates that yielded.
+void warnOfYielded(const std::string& file, const Mechanism& mechanism,
+                   const std::vector<MissedCoordinate>& yielded);
 
 /// Prints one `file: error: message` line to standard error.
 void printError(const std::string& file, const std::string& message);

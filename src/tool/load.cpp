@@ -16,6 +16,17 @@ void printError(const std::string& file, const std::string& message) {
     fmt::print(stderr, "{}\n", formatDiagnostic(file, {Severity::Error, {}, message}));
 }
 
+void warnOfYielded(const std::string& file, const Mechanism& mechanism,
+                   const std::vector<MissedCoordinate>& yielded) {
+    for (const MissedCoordinate& missed : yielded) {
+        const std::string message = fmt::format(
+            "{}: {} contradicts a MOTION, an initial value or a joint and yields to it: it starts {} away from its "
+            "given value",
+            missed.element, missed.coordinate, formatAmount(missed, mechanism.getUnits()));
+        fmt::print(stderr, "{}\n", formatDiagnostic(file, {Severity::Warning, {}, message}));
+    }
+}
+
 std::string getLengthName(const Dataset& dataset) {
     const std::string unnamed = "length units";
     if (!dataset.units) return unnamed;

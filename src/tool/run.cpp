@@ -73,6 +73,7 @@ SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
 
 SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism) {
     AssembledState initial = assemble(mechanism);
+    warnOfYielded(arguments.model, mechanism, initial.yielded);
     if (arguments.start == "equilibrium") initial.state = findEquilibrium(mechanism, initial.state);
     ProgressBar bar(!arguments.quiet);
     return simulate(mechanism, initial, makeOptions(arguments, bar));
@@ -127,6 +128,7 @@ ExitCode runCommandFile(const RunArguments& arguments) {
         if (!used.out.empty()) writeResults(outcome.results, used.out);
         ProgressBar bar(!used.quiet);
         outcome = runCommands(*loaded.model.mechanism, loaded.file.commands, makeOptions(used, bar));
+        warnOfYielded(used.model, *loaded.model.mechanism, outcome.yielded);
         if (!outcome.failure.empty())
             fmt::print(stderr, "{}\n",
                        formatDiagnostic(used.model, {Severity::Error, outcome.where, outcome.failure}));

@@ -158,7 +158,7 @@ TEST_F(Tool, CheckNamesWhatIsInConflict) {
     EXPECT_EQ(json["flipped"].size(), 0u);
 }
 
-// What EXACT holds is not a conflict of equations.
+// What EXACT holds is not a conflict of equations, but with them.
 TEST_F(Tool, CheckSaysWhenOnlyExactIsInTheWay) {
     std::string held = makeFourBar(2000, 10);
     for (const char* part : {"QG=1000,10.000000,0", "QG=2000,0,0"})
@@ -167,7 +167,44 @@ TEST_F(Tool, CheckSaysWhenOnlyExactIsInTheWay) {
     EXPECT_EQ(text.exitCode, 3);
     EXPECT_NE(text.err.find("the EXACT coordinates of PART/3"), std::string::npos) << text.err;
     expectLines(text.out,
-                {"no conflict             the equations alone can be met near the given positions\n"});
+                {"conflict                given coordinates contradict the constraints or each other; "
+                 "missed are\n",
+                 "PART/"});
+    EXPECT_NE(text.out.find(" EXACT "), std::string::npos) << text.out;
+    EXPECT_EQ(text.out.find("no conflict"), std::string::npos);
+}
+
+// EXACT yields to a MOTION, with a warning from both commands.
+TEST_F(Tool, WarnsOfExactThatYields) {
+    const std::string model =
+        write("exact.adm",
+              "arm\nPART/1,GROUND\nMARKER/1\nPART/2,MASS=4,CM=20,IP=1,1,1,EXACT=X:Y:Z:PSI\n"
+              "MARKER/20,QP=0.7,0,0\nMARKER/21\nJOINT/1,REVOLUTE,I=21,J=1\n"
+              "MOTION/1,JOINT=1,FUNCTION=30D\nEND\n");
+    for (const std::string& command : {"check " + model, "run " + model + " --end 0.1 --steps 1 --quiet"}) {
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_NE(
+            outcome.err.find("warning: PART/2: EXACT PSI contradicts a MOTION, an initial value or a joint "
+                             "and yields to it: it starts 0.524 rad away from its given value"),
+            std::string::npos)
+            << outcome.err;
+    }
+}
+
+// What check says is what run does.
+TEST_F(Tool, CheckNamesAnInitialValueThatIsMissed) {
+    const std::string model = write("ic.adm",
+                                    "arm\nPART/1,GROUND\nMARKER/1\nPART/2,MASS=4,CM=20,IP=1,1,1\n"
+                                    "MARKER/20,QP=0.7,0,0\nMARKER/21\nJOINT/1,REVOLUTE,I=21,J=1,IC=0.1\n"
+                                    "MOTION/1,JOINT=1,FUNCTION=0.4\nEND\n");
+    const Outcome outcome = run("check " + model);
+    EXPECT_EQ(outcome.exitCode, 3);
+    expectLines(outcome.out, {"JOINT/1 initial value: 0.3 rad\n"});
+    EXPECT_EQ(run("run " + model + " --end 1").exitCode, 1);
+    const Json json = Json::parse(run("check --json " + model).out);
+    EXPECT_EQ(json["missed"][0]["element"], "JOINT/1");
+    EXPECT_NEAR(double(json["missed"][0]["amount"]), 0.3, 1e-6);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "jprim/analysis/constraint_equations.h"
+#include "jprim/base/diagnostic.h"
 #include "jprim/base/units.h"
 #include "jprim/dataset/dataset.h"
 #include "jprim/flexible/flexible_body.h"
@@ -65,6 +66,7 @@ struct MechanismPart {
 };
 
 class WorkIntegral;
+struct BuildOptions;
 
 /// A JPRIM or JOINT.
 struct Connection {
@@ -160,8 +162,14 @@ public:
     /// A State at the given poses of the parts, or where these do not fit a mobilizer at the nearest that do;
     /// everything at rest. (The system's default State has all coordinates zero.) Realized to Stage::Model.
     SimTK::State makeGivenState() const;
+    /// Puts the parts' bodies at poses in ground, one for each of getParts(), or where these do not fit a mobilizer at
+    /// the nearest that do. Requires Stage::Model.
+    void fitPoses(const std::vector<SimTK::Transform>& poses, SimTK::State& state) const;
     /// The pose X_FM of a part's mobilizer that goes with the given poses, whether it can take it or not.
     SimTK::Transform calcGivenMobilizerPose(const SimTK::State& state, const MechanismPart& part) const;
+
+    /// The same mechanism in Formulation::Constraints; nothing if it is that already.
+    std::optional<Mechanism> makeWithFreeParts() const;
 
     /// False if something may put energy in or take it out: damping, a force without a potential, a MOTION, a GCON
     /// that depends on time or is not satisfied at rest.
@@ -193,6 +201,7 @@ public:
 
 private:
     friend class MechanismBuilder;
+    friend std::optional<Mechanism> buildMechanism(const Dataset&, Diagnostics&, const BuildOptions&);
 
     struct Bodies {
         SimTK::MultibodySystem system;
@@ -219,7 +228,8 @@ private:
     std::vector<InitialCoordinate> m_initialCoordinates;
     std::vector<MechanismRequest> m_requests;
     std::vector<MechanismSensor> m_sensors;
-    bool m_hasPower = false;               // an element may change the energy
+    std::function<Mechanism()> m_makeWithFreeParts;  // empty if the parts are free
+    bool m_hasPower = false;                         // an element may change the energy
     const WorkIntegral* m_work = nullptr;  // owned by the system; null if the mechanism is conservative
 };
 

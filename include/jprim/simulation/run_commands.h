@@ -23,6 +23,7 @@ struct CommandSummary {
 struct CommandsOutcome {
     Results results;
     std::vector<CommandSummary> summaries;
+    std::vector<MissedCoordinate> yielded;  ///< of the assembly at the start
     std::string failure;
     SourcePosition where;  ///< of the command that failed
 };

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_SIMULATION_CLOSENESS_H_
+#define JPRIM_SRC_SIMULATION_CLOSENESS_H_
+
+#include <Eigen/SparseCore>
+
+#include "jprim/simulation/assemble_system.h"
+#include "simulation/body_jacobian.h"
+
+namespace jprim {
+
+/// The sum phi of goals and its derivatives by speeds. With residuals r, phi = |r|^2/2 to second order in them, and
+/// r' = J u.
+class Closeness {
+public:
+    Closeness(const SimTK::SimbodyMatterSubsystem& matter, std::vector<PoseGoal> poses,
+              std::vector<MarkerGoal> markers = {})
+        : m_matter(matter), m_poses(std::move(poses)), m_markers(std::move(markers)) {}
+
+    SimTK::Real calcValue(const SimTK::State& state) const;
+    /// The gradient of phi by speeds is ~J r. Requires Stage::Position.
+    Eigen::VectorXd calcResiduals(const SimTK::State& state) const;
+    Eigen::SparseMatrix<double> calcJacobian(const SimTK::State& state, const BodyJacobian& bodies) const;
+
+    /// The largest turn [rad] of a body with a goal that goes with the speeds.
+    SimTK::Real calcLargestTurn(const SimTK::State& state, const Eigen::VectorXd& u) const;
+
+    /// How far a load's equation is moved by what costs |r| = 1: the size of an equation, whatever tree the bodies
+    /// hang in. Bodies without a goal do not count.
+    SimTK::Real calcSize(const SimTK::Vector_<SimTK::SpatialVec>& onBodies) const;
+
+private:
+    const SimTK::SimbodyMatterSubsystem& m_matter;
+    std::vector<PoseGoal> m_poses;
+    std::vector<MarkerGoal> m_markers;
+};
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constraints come first, then values given for joints and motions, then EXACT. Where all can be met at once one
+// search does; otherwise searches for less say what is in the way.
+#include "simulation/find_positions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/scaled_equations.h"
+#include "jprim/analysis/conflicts.h"
+#include "simulation/assembly_conditions.h"
+#include "simulation/position_search.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::State;
+using Equations = std::vector<ConstraintEquation>;
+
+namespace {
+
+constexpr Real Kept = 1e-6;     // of EXACT [sizes of the part, rad]: less is not noticed
+constexpr Real Rounded = 1e-3;  // likewise: less comes from numbers written with few digits
+
+constexpr double Dominant = PositionProblem::Dominant;
+
+/// What a search has to meet, and how much it counts where that cannot be.
+struct Demand {
+    Equations equations;
+    PositionConditions conditions;
+    double emphasisOfEquations = 1;
+    std::vector<double> emphasisOfConditions;
+};
+
+PositionConditions join(PositionConditions a, const PositionConditions& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+Equations leaveOutMotions(const Equations& all) {
+    Equations some;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+                 [](const ConstraintEquation& e) { return e.element.rfind("MOTION/", 0) != 0; });
+    return some;
+}
+
+class PositionFinder {
+public:
+    PositionFinder(const Mechanism& mechanism, const AssemblyAim& aim, const State& given)
+        : m_mechanism(mechanism), m_aim(aim), m_given(given) {
+        mechanism.getSystem().realize(m_given, SimTK::Stage::Position);
+        m_equations = selectHolonomic(mechanism.findEquations(m_given));
+        if (aim.holdGiven) {
+            m_initial = makeInitialConditions(mechanism);
+            m_exact = makeExactConditions(mechanism);
+        }
+    }
+
+    std::vector<MissedCoordinate> find(State& state) const {
+        const Demand all{m_equations, join(m_initial, m_exact), 1, {}};
+        if (meet(all, state)) {
+            approach(all, state);
+            return {};
+        }
+        if (!all.conditions.empty() && !meet({m_equations, {}, 1, {}}, state)) failConstraints(state);
+        if (all.conditions.empty()) failConstraints(state);
+        if (!meet({m_equations, m_initial, 1, {}}, state)) failInitial(state);
+        return yieldExact(state);
+    }
+
+private:
+    PositionProblem makeProblem(const Demand& demand, bool bends) const {
+        std::vector<PoseGoal> poses;
+        std::vector<SimTK::MobilizedBodyIndex> carriers;
+        const auto& parts = m_mechanism.getParts();
+        for (size_t k = 0; k < parts.size(); ++k) {
+            if (parts[k].ground) continue;
+            poses.push_back({parts[k].body.getMobilizedBodyIndex(), m_aim.poses[k], parts[k].size, 1});
+            if (parts[k].flexible && !bends)
+                carriers.insert(carriers.end(), parts[k].flexible->getCarriers().begin(),
+                                parts[k].flexible->getCarriers().end());
+        }
+        const SimTK::SimbodyMatterSubsystem& matter = m_mechanism.getMatter();
+        return {matter,
+                Closeness(matter, poses),
+                demand.equations,
+                demand.conditions,
+                demand.emphasisOfEquations,
+                demand.emphasisOfConditions,
+                carriers};
+    }
+
+    bool isFlexible() const {
+        const auto& parts = m_mechanism.getParts();
+        return std::any_of(parts.begin(), parts.end(),
+                           [](const MechanismPart& p) { return bool(p.flexible); });
+    }
+
+    // From the given positions; the state is as near as it came.
+    bool meet(const Demand& demand, State& state) const {
+        state = m_given;
+        if (PositionSearch(makeProblem(demand, false), state).meetEquations(state)) return true;
+        if (isFlexible()) {
+            state = m_given;
+            if (PositionSearch(makeProblem(demand, true), state).meetEquations(state)) return true;
+        }
+        return demand.conditions.empty() && meetOtherwise(demand, state);
+    }
+
+    // By the search that explains failures: it must not find what this one does not, nor something else to be left.
+    bool meetOtherwise(const Demand& demand, State& state) const {
+        state = findConflicts(m_mechanism.getMatter(), m_given).state;
+        return PositionSearch(makeProblem(demand, true), m_given).isMet(state);
+    }
+
+    // Along what is met; modes that were not needed stay.
+    void approach(const Demand& demand, State& state) const {
+        const PositionSearch rigid(makeProblem(demand, false), m_given);
+        const bool isBent = hasBent(state);
+        (isBent ? PositionSearch(makeProblem(demand, true), m_given) : rigid).approachGoals(state);
+    }
+
+    bool hasBent(const State& state) const {
+        for (const MechanismPart& part : m_mechanism.getParts())
+            if (part.flexible &&
+                (part.flexible->getModalCoordinates(state) - part.flexible->getModalCoordinates(m_given))
+                        .normInf() > 0)
+                return true;
+        return false;
+    }
+
+    [[noreturn]] void failConstraints(const State& state) const { fail(state, {}, ""); }
+
+    [[noreturn]] void fail(const State& state, const std::vector<MissedCoordinate>& missed,
+                           const std::string& held) const {
+        m_mechanism.getSystem().realize(state, SimTK::Stage::Position);
+        const Violation left = calcViolation(m_mechanism, state);
+        throw AssemblyError(
+            left.element.empty() ? "assembly" : left.element,
+            fmt::format(
+                "the parts cannot be assembled from their given positions; an error of {:.3g} length units "
+                "of the dataset and {:.3g} rad is left{}",
+                left.length / m_mechanism.getUnits().length, left.angle, held),
+            missed, state);
+    }
+
+    [[noreturn]] void failInitial(State& state) const {
+        meet({m_equations, m_initial, Dominant, {}}, state);
+        const std::vector<MissedCoordinate> missed = findMissedInitial(m_mechanism, state, AssemblyTolerance);
+        if (missed.empty()) failConstraints(state);
+        throw AssemblyError(
+            missed[0].element,
+            fmt::format("its initial value contradicts the constraints or other given coordinates; the "
+                        "nearest that can be assembled misses it by {}",
+                        formatAmount(missed[0], m_mechanism.getUnits())),
+            missed, state);
+    }
+
+    // The EXACT coordinates come as near as the others let them, and stay there.
+    std::vector<MissedCoordinate> yieldExact(State& state) const {
+        const PositionConditions conditions = join(m_initial, m_exact);
+        std::vector<double> emphasis(conditions.size(), 1);
+        std::fill_n(emphasis.begin(), m_initial.size(), Dominant);
+        meet({m_equations, conditions, Dominant, emphasis}, state);
+        const Demand others{m_equations, m_initial, 1, {}};
+        if (!PositionSearch(makeProblem(others, hasBent(state)), state).meetEquations(state))
+            failExact(state);
+        const std::vector<MissedCoordinate> missed = findMissedExact(m_mechanism, state, Kept);
+        State without;
+        if (!findMissedExact(m_mechanism, state, Rounded).empty() &&
+            !meet({leaveOutMotions(m_equations), m_exact, 1, {}}, without))
+            failExact(state);
+        Demand reached = others;
+        for (const auto& exact : m_exact)
+            reached.conditions.push_back(std::make_shared<KeptCondition>(exact, state));
+        approach(reached, state);
+        return missed;
+    }
+
+    [[noreturn]] void failExact(const State& withoutExact) const {
+        const std::vector<MissedCoordinate> missed = findMissedExact(m_mechanism, withoutExact, Kept);
+        const PositionConditions conditions = join(m_initial, m_exact);
+        State state;
+        meet({m_equations, conditions, 1, std::vector<double>(conditions.size(), Dominant)}, state);
+        std::string held = fmt::format(", while {} are held", nameHeld(m_mechanism));
+        if (!missed.empty())
+            held += fmt::format("; the nearest without EXACT has {} of {} elsewhere by {}",
+                                missed[0].coordinate.substr(std::string("EXACT ").size()), missed[0].element,
+                                formatAmount(missed[0], m_mechanism.getUnits()));
+        fail(state, missed, held);
+    }
+
+    const Mechanism& m_mechanism;
+    const AssemblyAim& m_aim;
+    State m_given;
+    Equations m_equations;
+    PositionConditions m_initial, m_exact;
+};
+
+}  // namespace
+
+std::vector<MissedCoordinate> findPositions(const Mechanism& mechanism, const AssemblyAim& aim,
+                                            State& state) {
+    const PositionFinder finder(mechanism, aim, state);
+    const std::vector<MissedCoordinate> yielded = finder.find(state);
+    mechanism.getSystem().realize(state, SimTK::Stage::Position);
+    return yielded;
+}
+
+}  // namespace jprim
