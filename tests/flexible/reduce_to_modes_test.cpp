@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/reduce_to_modes.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -258,6 +259,42 @@ INSTANTIATE_TEST_SUITE_P(
             "interfaces held; supports need not be given, but a piece of the mesh must not hang loose, no term may "
             "have the wrong sign, and both matrices must be of this mesh and its order of freedoms"}),
     [](const auto& info) { return std::string(info.param.name); });
+
+// A spring of negative stiffness, or a mass that resists relative motion negatively, between two nodes: in balance
+// in every row, so that only the whole tells.
+void addNegativeLink(std::vector<MatrixTerm>& terms, int i, int j, const Vec3& direction, double size) {
+    for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b)
+            for (const auto& [p, q] : {std::pair(i, i), {i, j}, {j, i}, {j, j}})
+                terms.push_back(
+                    {3 * p + a, 3 * q + b, (p == q ? -size : size) * direction[a] * direction[b]});
+}
+
+TEST(ReduceToModes, NamesANodeOfAnIndefiniteMatrix) {
+    const testing::SolidBlock block = testing::makeSolidBlock({4, 2, 2}, Vec3(4, 2, 2));
+    const int i = block.findNode({1, 1, 1}) - 1, j = block.findNode({3, 1, 1}) - 1;
+    const std::string nearFirst = fmt::format("(node {}, ", i + 1),
+                      nearSecond = fmt::format("(node {}, ", j + 1);
+    const auto expectNamed = [&](const FiniteElementModel& model, bool isHeld, const std::string& begin) {
+        std::vector<InterfacePoint> points;
+        if (isHeld) points.push_back({block.findFace(0, 0), 0, std::nullopt});
+        const std::string message = testing::catchError([&] { reduceToModes(model, points, 4); });
+        EXPECT_EQ(message.rfind(begin, 0), 0u) << message;
+        EXPECT_TRUE(message.find(nearFirst) != message.npos || message.find(nearSecond) != message.npos)
+            << message;
+    };
+    FiniteElementModel soft = block.model, light = block.model;
+    addNegativeLink(soft.stiffness, i, j, Vec3(1, 0, 0), 1.7e11);
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 e(0);
+        e[axis] = 1;
+        addNegativeLink(light.mass, i, j, e, 1100);
+    }
+    for (const bool isHeld : {false, true}) {
+        expectNamed(soft, isHeld, "block: the stiffness matrix is not positive definite around row ");
+        expectNamed(light, isHeld, "block: the mass matrix is not positive definite around row ");
+    }
+}
 
 }  // namespace
 }  // namespace jprim
