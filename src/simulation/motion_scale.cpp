@@ -70,21 +70,23 @@ bool MotionScale::isAtRest(const State& state, Real time) const {
     });
 }
 
-// Errors are averaged over all speeds; what rests has none, and would make room for those of what moves.
+// Errors are averaged over all speeds; what rests has none, and would make room for those of what moves. Small motions are
+// vibrations as a rule, whose errors add up over periods, and are held tighter.
 Vector MotionScale::calcUnits(const State& state, Real nextStep, Real accuracy) const {
-    constexpr Real OfMotion = 0.5, OfLargest = 1e-3, Rounding = 1e-14;
+    constexpr Real OfLargest = 1e-3, Tightest = 0.25, Small = 1. / 3, Rounding = 1e-14;
     std::vector<Real> motions;
     for (const Group& group : m_groups) motions.push_back(calcMotion(group, state, nextStep));
     const Real largest = motions.empty() ? 0 : *std::max_element(motions.begin(), motions.end());
     int moving = 0;
     for (size_t k = 0; k < m_groups.size(); ++k)
         if (motions[k] > OfLargest * largest) moving += m_groups[k].countSpeeds();
-    const Real part = OfMotion * std::sqrt(Real(moving) / std::max(1, state.getNU()));
+    const Real share = std::sqrt(Real(moving) / std::max(1, state.getNU()));
     const Real least = Rounding * m_farthest / accuracy;
     Vector units(state.getNU(), 1.);
     for (size_t k = 0; k < m_groups.size(); ++k) {
         const Real motion = std::max(motions[k], OfLargest * std::min(1., largest));
-        const Real unit = std::min(1., std::max(part * motion, least));
+        const Real tightness = std::clamp(motion / Small, Tightest, 1.);
+        const Real unit = std::min(1., std::max(share * tightness * motion, least));
         for (const Range& range : m_groups[k].u)
             for (int i = range.first; i < range.first + range.count; ++i) units[i] = unit;
     }

@@ -20,7 +20,8 @@ public:
 
     /// For each speed, and the coordinates that go with it, what errors are to be held against: the motion of its
     /// mobilizer so far, or what the present acceleration makes of it within the next step, or a small part of what
-    /// moves most; 1 at most, and not less than what rounding lets an integrator see. Requires Stage::Acceleration.
+    /// moves most; of small motions a part of that; 1 at most, and not less than what rounding lets an integrator see.
+    /// Requires Stage::Acceleration.
     SimTK::Vector calcUnits(const SimTK::State& state, SimTK::Real nextStep, SimTK::Real accuracy) const;
 
     /// True if nothing has moved by more than rounding errors may, nor is accelerated to do so within a time. Requires

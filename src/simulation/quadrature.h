@@ -7,10 +7,10 @@
 namespace jprim {
 
 /// Integrates a State's z, on which nothing depends, over steps of a method that does not do so as well as it integrates
-/// the motion: CPodes iterates until the motion has converged, whatever is left of errors elsewhere. Between the ends of a step the motion is taken
-/// for the polynomials of fifth degree with the coordinates, rates and accelerations there, and rates of z are sampled at
-/// Lobatto's four points, which is of sixth order in the step. Where that does not tell of all that happens in a step, such
-/// as a contact that a motor presses together, it is halved.
+/// the motion: CPodes iterates until the motion has converged, whatever is left of errors elsewhere. Between the ends of
+/// a step the motion is taken for the polynomials of fifth degree with the coordinates, rates and accelerations there,
+/// and rates of z are sampled at Lobatto's four points, which is of sixth order in the step. Where that does not tell of
+/// all that happens in a step, such as a contact that a motor presses together, it is halved.
 class Quadrature {
 public:
     explicit Quadrature(const SimTK::MultibodySystem& system) : m_system(system) {}
