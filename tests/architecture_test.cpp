@@ -27,7 +27,7 @@ const std::map<std::string, Rooms> AllowedUses = {
     {"general", {"base", "expression", "marker"}},
     {"force", {"base", "expression", "marker"}},
     {"joint", {"base", "marker", "primitive", "general"}},
-    {"analysis", {"base", "primitive", "general", "joint"}},
+    {"analysis", {"base", "marker", "primitive", "general", "joint"}},
     {"dataset", {"base"}},
     {"build",
      {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/described_pair_constraint.h"
 #include "analysis/error_minimum.h"
 #include "analysis/random_vector.h"
 #include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
+#include "marker/find_implementation.h"
+#include "primitive/pair_constraint_impl.h"
 
 namespace jprim {
 
@@ -88,7 +89,7 @@ std::vector<FlippedAxes> findFlippedAxes(const SimbodyMatterSubsystem& matter, c
     std::vector<FlippedAxes> flipped;
     for (ConstraintIndex index(0); index < matter.getNumConstraints(); ++index) {
         const Constraint& constraint = matter.getConstraint(index);
-        const PairConstraintImpl* pair = findPairConstraint(constraint);
+        const auto* pair = findImplementation<PairConstraintImpl>(constraint);
         if (!pair || constraint.isDisabled(state)) continue;
         const SimTK::Vector errors = constraint.getPositionErrorsAsVector(state);
         int first = 0;

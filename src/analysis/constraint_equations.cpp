@@ -5,7 +5,9 @@
 
 #include <typeinfo>
 
-#include "analysis/described_pair_constraint.h"
+#include "general/general_constraint_impl.h"
+#include "marker/find_implementation.h"
+#include "primitive/pair_constraint_impl.h"
 
 namespace jprim {
 
@@ -20,7 +22,8 @@ namespace {
 // A Custom constraint as its Implementation's class: Simbody's own derive from it too, and their
 // isInstanceOf() says yes to any Custom.
 std::string nameCustomType(const Constraint::Custom& constraint) {
-    std::string type = SimTK::demangle(typeid(CustomHandle(constraint).getImplementation()).name());
+    const OpenHandle<Constraint::Custom> handle(constraint);
+    std::string type = SimTK::demangle(typeid(handle.getImplementation()).name());
     const std::string nested = "::Implementation", suffix = "Impl";
     const auto removeEnding = [&type](const std::string& ending) {
         if (type.size() > ending.size() && type.substr(type.size() - ending.size()) == ending)
@@ -77,13 +80,15 @@ ElementName findName(const Constraint& constraint, const ElementNames& names) {
     const ConstraintIndex index = constraint.getConstraintIndex();
     const auto given = names.find(index);
     if (given != names.end()) return given->second;
-    const PairConstraintImpl* pair = findPairConstraint(constraint);
-    if (!pair) return {fmt::format("{} (constraint {})", nameType(constraint), int(index)), {}};
-    return {pair->getDescription(), describeEquations(*pair)};
+    if (const auto* pair = findImplementation<PairConstraintImpl>(constraint))
+        return {pair->getDescription(), describeEquations(*pair)};
+    if (const auto* general = findImplementation<GeneralConstraintImpl>(constraint))
+        return {general->getDescription(), {"its equation"}, general->isLength()};
+    return {fmt::format("{} (constraint {})", nameType(constraint), int(index)), {}};
 }
 
 SimTK::Real findScale(const Constraint& constraint, const State& state, int number) {
-    if (const auto* pair = findPairConstraint(constraint))
+    if (const auto* pair = findImplementation<PairConstraintImpl>(constraint))
         return pair->getPlacements(state).scales[size_t(number)];
     const auto* general = findImplementation<GeneralConstraintImpl>(constraint);
     return general ? general->getStateScale(state) : 1;
@@ -95,7 +100,7 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
     constraint.getNumConstraintEquationsInUse(state, mp, mv, ma);
     MultiplierIndex firstP, firstV, firstA;
     constraint.getIndexOfMultipliersInUse(state, firstP, firstV, firstA);
-    const PairConstraintImpl* pair = findPairConstraint(constraint);
+    const auto* pair = findImplementation<PairConstraintImpl>(constraint);
     const ElementName name = findName(constraint, names);
     int number = 0;
     const auto append = [&](int count, MultiplierIndex first, EquationLevel level) {
@@ -125,13 +130,7 @@ const char* getName(EquationLevel level) {
 
 ElementNames nameElements(const std::vector<Joint>& joints) {
     ElementNames names;
-    for (const Joint& joint : joints) {
-        const PairConstraintImpl* pair = findPairConstraint(joint.getConstraint());
-        ElementName& name = names[joint.getConstraint().getConstraintIndex()];
-        name.element = joint.getDescription();
-        name.equations = pair ? describeEquations(*pair) : std::vector<std::string>{"its own equation"};
-        name.isLength = !pair;
-    }
+    for (const Joint& joint : joints) names[joint.getConstraintIndex()] = findName(joint, {});
     return names;
 }
 

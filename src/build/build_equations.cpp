@@ -133,7 +133,7 @@ void MechanismBuilder::addMotion(const MotionStatement& s) {
             return w.scale(displacement / std::pow(units.time, derivative), w.scalar(s.function));
         });
         const Marker &I = m_mechanism.getMarker(i), &J = m_mechanism.getMarker(j);
-        const Motion motion(I, J, coordinate, function, derivative, name);
+        const PrescribedMotion motion(I, J, coordinate, function, derivative, name);
         m_mechanism.m_equations.push_back({name, motion, isLength(coordinate)});
         m_mechanism.m_hasPower = true;
         m_working.push_back(motion);

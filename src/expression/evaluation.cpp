@@ -75,6 +75,7 @@ void Evaluation::calcGradient() {
     std::fill(m_scalarGradients.begin(), m_scalarGradients.end(), Real(0));
     std::fill(m_vectorGradients.begin(), m_vectorGradients.end(), Vec3(0));
     m_scalarGradients[code.result.index] = 1;
+    m_isGradientChosen = false;
     for (auto it = code.instructions.rbegin(); it != code.instructions.rend(); ++it) {
         if (hasVectorResult(it->operation))
             goBack(*it, m_vectorGradients[it->result]);
@@ -82,6 +83,13 @@ void Evaluation::calcGradient() {
             goBack(*it, m_scalarGradients[it->result]);
     }
 }
+
+namespace {
+
+// Along no axis and in no plane of two, lest a mechanism that moves along these alone should not feel it.
+const Vec3 ChosenDirection(0.36, 0.48, 0.8);
+
+}  // namespace
 
 void Evaluation::goBack(const Instruction& instruction, Real g) {
     if (g == 0) return;
@@ -108,6 +116,9 @@ void Evaluation::goBack(const Instruction& instruction, Real g) {
             return givePartials(m_program.m_code->curves[size_t(detail)]->calcPartials(value(0), value(1)));
         case Operation::Select: return give(findBranch(value(0)), g);
         case Operation::Dot: return giveVector(0, g * vectorValue(1)), giveVector(1, g * vectorValue(0));
+        case Operation::Norm:
+            if (f == 0) m_isGradientChosen = true;
+            return giveVector(0, f == 0 ? g * ChosenDirection : g / f * vectorValue(0));
         case Operation::Component: m_vectorGradients[arguments[0]][detail] += g; return;
         default: assert(!"the result is a vector");
     }

@@ -16,8 +16,9 @@ namespace jprim {
 /// with all of Trilinos; and vectors of three are scalars to both.
 ///
 /// Where a derivative does not exist it is that of the branch taken (MAX, MIN, IF, the ends of STEP), or
-/// zero (ABS at 0, the norm of a zero vector, AINT at a jump, SQRT at 0): one that is not finite counts as
-/// zero. Branches not taken have no influence, even if they have no value. So a finite value comes with finite
+/// zero (ABS at 0, AINT at a jump, SQRT at 0): one that is not finite counts as zero. The norm of a zero vector
+/// grows in any direction; its gradient is one of them, so that a constraint has a way out, and its derivatives
+/// with time are zero. Branches not taken have no influence, even if they have no value. So a finite value comes with finite
 /// derivatives, unless they are too large for a Real.
 class Evaluation {
 public:
@@ -45,6 +46,8 @@ public:
     void calcGradient();
     SimTK::Real getScalarGradient(int input) const;
     const SimTK::Vec3& getVectorGradient(int input) const;
+    /// True if the gradient depends on the direction that was chosen for the norm of a zero vector.
+    bool isGradientChosen() const { return m_isGradientChosen; }
 
     /// The continuous angle k [rad] that the last calc… found.
     SimTK::Real getAngle(int k) const;
@@ -61,6 +64,7 @@ private:
     // Of the result with respect to each register.
     std::vector<SimTK::Real> m_scalarGradients;
     std::vector<SimTK::Vec3> m_vectorGradients;
+    bool m_isGradientChosen = false;
 };
 
 }  // namespace jprim

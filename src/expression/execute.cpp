@@ -25,6 +25,15 @@ Taylor<Real> call(const Curve& curve, const Taylor<Real>& x, const Taylor<Real>&
     return chain(curve.calcValue(x.value, z.value), curve.calcPartials(x.value, z.value), x, z);
 }
 
+Real calcNorm(const Vec3& v) {
+    return v.norm();
+}
+
+Taylor<Real> calcNorm(const Taylor<Vec3>& v) {
+    const Taylor<Real> square = dot(v, v);
+    return call(Function::Sqrt, square, square);
+}
+
 Real getComponent(const Vec3& v, int axis) {
     return v[axis];
 }
@@ -63,6 +72,7 @@ void execute(const Instruction& instruction, const Curves& curves, Registers& re
         case Operation::Curve: return setScalar(call(*curves[size_t(detail)], s(0), s(1)));
         case Operation::Select: return setScalar(s(findBranch(registers.scalars[arguments[0]].value)));
         case Operation::Dot: return setScalar(dot(v(0), v(1)));
+        case Operation::Norm: return setScalar(calcNorm(v(0)));
         case Operation::Component: return setScalar(getComponent(v(0), detail));
         case Operation::Vector: return setVector(makeVector(s(0), s(1), s(2)));
         case Operation::AddVectors: return setVector(v(0) + v(1));

@@ -14,6 +14,7 @@ const char* getShapes(Operation operation) {
         case Operation::Negate: return "s";
         case Operation::Select: return "ssss";
         case Operation::Dot: return "vv";
+        case Operation::Norm:
         case Operation::Component: return "v";
         case Operation::Vector: return "sss";
         case Operation::AddVectors:

@@ -25,6 +25,7 @@ enum class Operation {
     Curve,            ///< x, z; detail: which of the program's curves
     Select,           ///< s, then the results if it is < 0, = 0, > 0
     Dot,              ///< v, v
+    Norm,             ///< v
     Component,        ///< v; detail: the axis
     Vector,           ///< s, s, s
     AddVectors,       ///< v, v

@@ -114,7 +114,7 @@ public:
     Operand multiply(Operand a, Operand b);
     Operand divide(Operand a, Operand b);  // by a scalar
     Operand cross(Operand a, Operand b);
-    Operand norm(Operand a);       // derivatives of a zero vector's norm: zero
+    Operand norm(Operand a);
     Operand normalize(Operand a);  // a zero vector stays zero
     Operand component(Operand a, int axis);
 

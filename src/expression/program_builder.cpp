@@ -27,6 +27,7 @@ int calcDegree(Operation operation, const std::array<int, 4>& degrees) {
         case Operation::Divide: return degrees[1] == 0 ? degrees[0] : Nonlinear;
         case Operation::Select: return degrees[0] == 0 ? highest : Nonlinear;
         case Operation::Call:
+        case Operation::Norm:
         case Operation::Curve: return highest == 0 ? 0 : Nonlinear;
         default: return highest;
     }
@@ -144,7 +145,7 @@ Operand ProgramBuilder::cross(Operand a, Operand b) {
 }
 
 Operand ProgramBuilder::norm(Operand a) {
-    return call(Function::Sqrt, multiply(a, a));
+    return emit(Operation::Norm, {a});
 }
 
 Operand ProgramBuilder::normalize(Operand a) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "jprim/base/error.h"
 
 namespace jprim {
@@ -22,11 +24,18 @@ void checkProperties(const UniformBeam& beam) {
                                                        {"secondMomentY", beam.secondMomentY},
                                                        {"secondMomentZ", beam.secondMomentZ},
                                                        {"torsionConstant", beam.torsionConstant}};
-    for (const auto& [name, value] : positive)
+    const auto requireFinite = [](const char* name, double value) {
+        if (std::isinf(value)) throw Error("beam", fmt::format("{} is {}; it must be finite", name, value));
+    };
+    for (const auto& [name, value] : positive) {
+        requireFinite(name, value);
         if (!(value > 0)) throw Error("beam", fmt::format("{} is {}; it must be positive", name, value));
+    }
     for (const auto& [name, value] :
-         {std::pair("shearFactorY", beam.shearFactorY), std::pair("shearFactorZ", beam.shearFactorZ)})
+         {std::pair("shearFactorY", beam.shearFactorY), std::pair("shearFactorZ", beam.shearFactorZ)}) {
+        requireFinite(name, value);
         if (!(value >= 0)) throw Error("beam", fmt::format("{} is {}; it must not be negative", name, value));
+    }
 }
 
 // Bending on (deflection, slope) at both ends of an element of length L, with phi = 12 EI / (kappa G A L^2).

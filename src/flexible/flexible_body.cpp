@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "flexible/flexible_node.h"
 #include "flexible/modal_coordinates.h"
@@ -21,7 +22,23 @@ using SimTK::Vector;
 
 namespace {
 
+// A basis from a program may have been left unfinished.
+void requireFinite(const ModalBasis& basis) {
+    const RigidBodyProperties& rigid = basis.rigid;
+    if (!std::isfinite(rigid.mass) || !rigid.center.isFinite() || !rigid.inertia.isFinite())
+        throw Error(basis.name, "its mass, mass centre or inertia is not finite");
+    for (size_t k = 0; k < basis.frequencies.size(); ++k)
+        if (!(basis.frequencies[k] > 0) || std::isinf(basis.frequencies[k]))
+            throw Error(basis.name,
+                        fmt::format("the frequency of mode {} is {}; it must be positive and finite", k + 1,
+                                    basis.frequencies[k]));
+    for (const ModalNode& node : basis.nodes)
+        if (!node.position.isFinite())
+            throw Error(basis.name, fmt::format("the position of node {} is not finite", node.id));
+}
+
 SimTK::Body::Rigid makeBody(const ModalBasis& basis) {
+    requireFinite(basis);
     const RigidBodyProperties& rigid = basis.rigid;
     const Mat33& I = rigid.inertia;
     if (basis.getNumModes() == 0) throw Error(basis.name, "has no modes; use a rigid body");
@@ -42,8 +59,16 @@ std::vector<Real> chooseDampingRatios(const ModalBasis& basis, std::vector<Real>
         throw Error(basis.name,
                     fmt::format("{} damping ratios for {} modes", ratios.size(), basis.getNumModes()));
     for (const Real ratio : ratios)
-        if (!(ratio >= 0)) throw Error(basis.name, fmt::format("a damping ratio is {}", ratio));
+        if (!(ratio >= 0) || std::isinf(ratio))
+            throw Error(basis.name, fmt::format("a damping ratio is {}", ratio));
     return ratios;
+}
+
+const ModalBasis& requireSystem(const SimTK::SimbodyMatterSubsystem& matter,
+                                const SimTK::GeneralForceSubsystem& forces, const ModalBasis& basis) {
+    if (&matter.getSystem() != &forces.getSystem())
+        throw Error(basis.name, "its matter and its forces belong to different systems");
+    return basis;
 }
 
 }  // namespace
@@ -140,7 +165,8 @@ private:
 //--------------------------------------------------------------------------------------------- body
 FlexibleBody::FlexibleBody(SimTK::SimbodyMatterSubsystem& matter, SimTK::GeneralForceSubsystem& forces,
                            const ModalBasis& basis, const FlexibleBodyOptions& options)
-    : m_body(matter.Ground(), makeBody(basis)), m_data(std::make_shared<Data>(matter, basis, options)) {
+    : m_body(matter.Ground(), makeBody(requireSystem(matter, forces, basis))),
+      m_data(std::make_shared<Data>(matter, basis, options)) {
     SimTK::Force::Custom(forces, new Forces(m_body, m_data));
 }
 
@@ -170,6 +196,7 @@ Vector scaled(const Real* values, int count, Real factor) {
 void copyScaled(const Vector& values, int count, Real factor, const std::string& element, Real* out) {
     if (values.size() != count)
         throw Error(element, fmt::format("{} values for {} modal coordinates", values.size(), count));
+    if (!std::isfinite(values.norm())) throw Error(element, "a value for a modal coordinate is not finite");
     for (int k = 0; k < count; ++k) out[k] = factor * values[k];
 }
 }  // namespace

@@ -2,6 +2,7 @@
 #include "jprim/force/marker_force.h"
 
 #include "force/marker_force_impl.h"
+#include "marker/find_implementation.h"
 
 namespace jprim {
 
@@ -11,7 +12,7 @@ using SimTK::Vec3;
 using SimTK::Vector;
 
 MarkerForce::MarkerForce(SimTK::GeneralForceSubsystem& forces, MarkerForceImpl* implementation)
-    : Custom(forces, implementation) {}
+    : TypedHandle(forces, implementation) {}
 
 MarkerForce::MarkerForce(SimTK::GeneralForceSubsystem& forces, const Marker& I,
                          const std::optional<Marker>& J, const ForceLaw& law, const std::string& name)
@@ -21,16 +22,26 @@ const MarkerForceImpl& MarkerForce::getImpl() const {
     return static_cast<const MarkerForceImpl&>(getImplementation());
 }
 
+bool MarkerForce::isInstanceOf(const SimTK::Force& force) {
+    return findImplementation<MarkerForceImpl>(force) != nullptr;
+}
+
+std::string MarkerForce::getDescription() const {
+    return getImpl().getDescription();
+}
+
 const std::string& MarkerForce::getName() const {
     return getImpl().getName();
 }
 
 SpatialVec MarkerForce::calcLoadOnI(const State& state) const {
-    return isDisabled(state) ? SpatialVec(Vec3(0), Vec3(0)) : getImpl().calcLoadOnI(state);
+    return getImpl().isDisabled(state, getForceIndex()) ? SpatialVec(Vec3(0), Vec3(0))
+                                                        : getImpl().calcLoadOnI(state);
 }
 
 SpatialVec MarkerForce::calcLoadOnJ(const State& state) const {
-    return isDisabled(state) ? SpatialVec(Vec3(0), Vec3(0)) : getImpl().calcLoadOnJ(state);
+    return getImpl().isDisabled(state, getForceIndex()) ? SpatialVec(Vec3(0), Vec3(0))
+                                                        : getImpl().calcLoadOnJ(state);
 }
 
 Vector MarkerForce::getTurns(const State& state) const {
@@ -46,7 +57,7 @@ void MarkerForce::resetTurns(State& state) const {
 }
 
 SimTK::Real MarkerForce::calcPotentialRate(const State& state) const {
-    return isDisabled(state) ? 0 : getImpl().calcPotentialRate(state);
+    return getImpl().isDisabled(state, getForceIndex()) ? 0 : getImpl().calcPotentialRate(state);
 }
 
 }  // namespace jprim

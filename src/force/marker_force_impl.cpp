@@ -23,37 +23,57 @@ std::string findForceProblem(InputLevel level) {
 namespace {
 
 std::optional<TrackedExpression> take(const std::optional<Expression>& expression, bool isVector,
-                                      const char* what, const std::string& name) {
+                                      const char* what, const SimTK::System& system,
+                                      const std::string& element) {
     if (!expression) return std::nullopt;
     const Program& program = expression->getImplementation().program;
     if (program.isVector() != isVector)
-        throw Error(name, fmt::format("its {} must be a {}", what, isVector ? "vector" : "number"));
+        throw Error(element, fmt::format("its {} must be a {}", what, isVector ? "vector" : "number"));
     const int neededDerivatives = isVector ? 0 : 1;  // the rate of a potential
     for (const std::string& problem :
          {findForceProblem(program.getLevel()),
           expression->getImplementation().findDerivativeProblem(neededDerivatives)})
-        if (!problem.empty()) throw Error(name, problem);
+        if (!problem.empty()) throw Error(element, problem);
+    if (!isVector && program.getLevel() != InputLevel::Position)
+        throw Error(element, fmt::format("its {} depends on velocities; an energy that is stored depends on "
+                                         "positions and TIME only",
+                                         what));
+    requireInSystem(*expression, system, element);
     return TrackedExpression(*expression);
+}
+
+std::string describe(const std::string& name) {
+    return name.empty() ? "force" : name;
 }
 
 }  // namespace
 
 MarkerForceImpl::MarkerForceImpl(SimTK::GeneralForceSubsystem& forces, const Marker& I,
                                  const std::optional<Marker>& J, const ForceLaw& law, const std::string& name)
-    : m_forces(forces),
-      m_name(name),
-      m_I(I),
-      m_J(J),
-      m_force(take(law.force, true, "force", name)),
-      m_moment(take(law.moment, true, "moment", name)),
-      m_potential(take(law.potential, false, "potential", name)) {
-    requireOnBody(I, "a marker", name);
-    if (J) requireOnBody(*J, "a marker", name);
+    : m_name(name), m_I(I), m_J(J) {
+    const std::string element = describe(name);
+    const SimTK::System& system = findSystem(forces, element);
+    m_forces = &forces.getSubsystemGuts();
+    requireInSystem(I, "marker I", system, element);
+    if (J) requireInSystem(*J, "marker J", system, element);
+    m_force = take(law.force, true, "force", system, element);
+    m_moment = take(law.moment, true, "moment", system, element);
+    m_potential = take(law.potential, false, "potential", system, element);
+}
+
+std::string MarkerForceImpl::getDescription() const {
+    return describe(m_name);
+}
+
+// SimTK::Force::isDisabled() asks by the handle through which the force was added, which may be gone.
+bool MarkerForceImpl::isDisabled(const State& state, SimTK::ForceIndex index) const {
+    const auto& forces = static_cast<const SimTK::GeneralForceSubsystem&>(findHandle(*m_forces));
+    return forces.isForceDisabled(state, index);
 }
 
 void MarkerForceImpl::realizeTopology(State& state) const {
     for (auto* expression : {&m_force, &m_moment, &m_potential})
-        if (*expression) (*expression)->allocate(m_forces, state);
+        if (*expression) (*expression)->allocate(findHandle(*m_forces), state);
 }
 
 int MarkerForceImpl::getNumAngles() const {

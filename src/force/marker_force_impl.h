@@ -18,6 +18,8 @@ public:
                     const ForceLaw& law, const std::string& name);
 
     const std::string& getName() const { return m_name; }
+    std::string getDescription() const;
+    bool isDisabled(const SimTK::State& state, SimTK::ForceIndex index) const;
     SimTK::SpatialVec calcLoadOnI(const SimTK::State& state) const;
     SimTK::SpatialVec calcLoadOnJ(const SimTK::State& state) const;
     SimTK::Real calcPotentialRate(const SimTK::State& state) const;
@@ -33,7 +35,7 @@ private:
                    SimTK::Vector_<SimTK::Vec3>& particleForces, SimTK::Vector& mobilityForces) const override;
     SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;
 
-    SimTK::GeneralForceSubsystem& m_forces;
+    const SimTK::Subsystem::Guts* m_forces;  // the caller's handle of it may go away
     std::string m_name;
     Marker m_I;
     std::optional<Marker> m_J;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "jprim/base/error.h"
 #include "marker/require_on_body.h"
 
@@ -36,6 +38,11 @@ std::string findFunctionProblem(const MarkerExpression& expression) {
 SimbodyMatterSubsystem& findMatter(const MarkerExpression& expression, const std::string& element) {
     const std::string problem = findEquationProblem(expression);
     if (!problem.empty()) throw Error(element, problem);
+    const auto isOnGround = [](const Marker& marker) {
+        return marker.isOnBody() && marker.getBody().isGround();
+    };
+    if (std::all_of(expression.markers.begin(), expression.markers.end(), isOnGround))
+        throw Error(element, "all markers of the expression are on Ground, so it constrains nothing");
     for (size_t k = 0; k < expression.markers.size(); ++k) {
         requireOnBody(expression.markers[k], fmt::format("marker {}", expression.markerIds[k]), element);
         if (&expression.markers[k].getBody().getMatterSubsystem() !=

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "general/check_expression.h"
 #include "general/general_constraint_impl.h"
 #include "jprim/base/error.h"
 #include "jprim/marker/load.h"
+#include "marker/find_implementation.h"
 
 namespace jprim {
 
@@ -20,26 +22,55 @@ using SimTK::Vector;
 
 namespace {
 
-GeneralConstraintImpl* makeDriven(const Expression& coordinate, const Expression& function, int derivative,
-                                  Real period, const std::string& name) {
-    for (const std::string& problem : {findFunctionProblem(function.getImplementation()),
-                                       function.getImplementation().findDerivativeProblem(2 - derivative)})
-        if (!problem.empty()) throw Error(name, problem);
+GeneralConstraintImpl* makeEquation(const char* adamsType, const Expression& f, const std::string& name) {
+    return new GeneralConstraintImpl(adamsType, f, nullptr, 0, 0, name);
+}
+
+GeneralConstraintImpl* makeDriven(const char* adamsType, const Expression& coordinate,
+                                  const Expression& function, int derivative, Real period,
+                                  const std::string& name) {
+    const std::string element = describeGeneral(adamsType, name);
+    const std::string problem = findFunctionProblem(function.getImplementation());
+    if (!problem.empty()) throw Error(element, problem);
     if (coordinate.getImplementation().program.getLevel() != InputLevel::Position)
-        throw Error(name, "a coordinate that follows a function must depend on positions only");
-    return new GeneralConstraintImpl(coordinate, &function, derivative, period, name);
+        throw Error(element, "a coordinate that follows a function must depend on positions only");
+    if (derivative < 0 || derivative > 2)
+        throw Error(element, fmt::format("derivative {} of a coordinate cannot be prescribed; use 0 for the "
+                                         "coordinate itself, 1 for its rate or 2 for its acceleration",
+                                         derivative));
+    const std::string lacking = function.getImplementation().findDerivativeProblem(2 - derivative);
+    if (!lacking.empty()) throw Error(element, lacking);
+    if (!(period >= 0) || !std::isfinite(period))
+        throw Error(element, fmt::format("its period is {}; it must be positive, or 0 for none", period));
+    return new GeneralConstraintImpl(adamsType, coordinate, &function, derivative, period, name);
 }
 
 }  // namespace
 
-GeneralConstraint::GeneralConstraint(GeneralConstraintImpl* implementation) : Custom(implementation) {}
+GeneralConstraint::GeneralConstraint(GeneralConstraintImpl* implementation) : TypedHandle(implementation) {}
+
+GeneralConstraint::GeneralConstraint(const char* adamsType, const Expression& f, const std::string& name)
+    : GeneralConstraint(makeEquation(adamsType, f, name)) {}
+
+GeneralConstraint::GeneralConstraint(const char* adamsType, const Expression& coordinate,
+                                     const Expression& function, int derivative, Real period,
+                                     const std::string& name)
+    : GeneralConstraint(makeDriven(adamsType, coordinate, function, derivative, period, name)) {}
 
 GeneralConstraint::GeneralConstraint(const Expression& f, const std::string& name)
-    : GeneralConstraint(new GeneralConstraintImpl(f, nullptr, 0, 0, name)) {}
+    : GeneralConstraint(Gcon, f, name) {}
 
 GeneralConstraint::GeneralConstraint(const Expression& coordinate, const Expression& function, int derivative,
                                      Real period, const std::string& name)
-    : GeneralConstraint(makeDriven(coordinate, function, derivative, period, name)) {}
+    : GeneralConstraint(Gcon, coordinate, function, derivative, period, name) {}
+
+bool GeneralConstraint::isInstanceOf(const SimTK::Constraint& constraint) {
+    return findImplementation<GeneralConstraintImpl>(constraint) != nullptr;
+}
+
+bool GeneralConstraint::isOfType(const SimTK::Constraint& constraint, const char* adamsType) {
+    return isInstanceOf(constraint) && std::strcmp(downcast(constraint).getAdamsType(), adamsType) == 0;
+}
 
 const GeneralConstraintImpl& GeneralConstraint::getImpl() const {
     return static_cast<const GeneralConstraintImpl&>(getImplementation());
@@ -53,18 +84,29 @@ const std::string& GeneralConstraint::getName() const {
     return getImpl().getName();
 }
 
+const char* GeneralConstraint::getAdamsType() const {
+    return getImpl().getAdamsType();
+}
+
+std::string GeneralConstraint::getDescription() const {
+    return getImpl().getDescription();
+}
+
 bool GeneralConstraint::isHolonomic() const {
     return getImpl().isHolonomic();
 }
 
 GeneralConstraint& GeneralConstraint::setDefaultScale(Real scale) {
+    if (scale == 0 || !std::isfinite(scale))
+        throw Error(getDescription(),
+                    fmt::format("its scale is {}; it must be a finite number other than 0", scale));
     updImpl().setScale(scale);
     return *this;
 }
 
 void GeneralConstraint::setEquationScale(State& state, Real scale) const {
     if (!(scale >= 0 && std::isfinite(scale)))
-        throw Error(getName(), fmt::format("{} is no scale of an equation; use a positive number", scale));
+        throw Error(getDescription(), fmt::format("{} is no scale of an equation; use a positive number", scale));
     getImpl().setStateScale(state, scale);
 }
 
@@ -107,6 +149,10 @@ SpatialVec GeneralConstraint::calcReactionOn(const State& state, int marker) con
 
 SpatialVec GeneralConstraint::calcReactionOn(const State& state, int marker, const Marker& axes) const {
     return expressLoadIn(state, calcReactionOn(state, marker), axes);
+}
+
+const Marker& GeneralConstraint::getMarker(int key) const {
+    return getImpl().getMarker(key);
 }
 
 std::string GeneralConstraint::findProblem(const State& state) const {

@@ -7,6 +7,7 @@
 #include "general/check_expression.h"
 #include "jprim/base/error.h"
 #include "marker/cache_entry.h"
+#include "marker/read_multiplier.h"
 
 namespace jprim {
 
@@ -32,12 +33,14 @@ int findEquationLevel(const MarkerExpression& coordinate, int derivative) {
 
 }  // namespace
 
-GeneralConstraintImpl::GeneralConstraintImpl(const Expression& coordinate, const Expression* function,
-                                             int derivative, Real period, const std::string& name)
-    : Implementation(findMatter(coordinate.getImplementation(), name),
+GeneralConstraintImpl::GeneralConstraintImpl(const char* adamsType, const Expression& coordinate,
+                                             const Expression* function, int derivative, Real period,
+                                             const std::string& name)
+    : Implementation(findMatter(coordinate.getImplementation(), describeGeneral(adamsType, name)),
                      findEquationLevel(coordinate.getImplementation(), derivative) == 0,
                      findEquationLevel(coordinate.getImplementation(), derivative) == 1,
                      findEquationLevel(coordinate.getImplementation(), derivative) == 2),
+      m_adamsType(adamsType),
       m_name(name),
       m_coordinate(std::make_shared<MarkerExpression>(coordinate.getImplementation())),
       m_equationLevel(findEquationLevel(*m_coordinate, derivative)),
@@ -98,8 +101,9 @@ GeneralConstraintImpl::PositionCache& GeneralConstraintImpl::updPositionCache(co
 void GeneralConstraintImpl::realizePosition(const State& state) const {
     PositionCache& cache = updPositionCache(state);
     calcPositionCache(state, cache);
-    const std::string problem = findVanished(cache, 1e-9);
-    if (!problem.empty()) throw Error(m_name, problem);
+    if (getStateScale(state) == 0) return;
+    const std::string problem = findImpossible(state, cache);
+    if (!problem.empty()) throw Error(getDescription(), problem);
 }
 
 void GeneralConstraintImpl::realizeVelocity(const State& state) const {
@@ -136,10 +140,10 @@ void GeneralConstraintImpl::calcPositionCache(const State& state, PositionCache&
     Evaluation& q = *cache.coordinate;
     m_coordinate->setInputs(state.getTime(), cache.motions.data(), q);
     m_angles.recall(state, q);
-    const Real value = q.calcValue();
+    cache.value = q.calcValue();
     q.calcGradient();
     const bool ofVelocity = m_coordinate->program.getLevel() == InputLevel::Velocity;
-    cache.rateAtRest = ofVelocity ? value : m_coordinate->getTimeDerivative(q);
+    cache.rateAtRest = ofVelocity ? cache.value : m_coordinate->getTimeDerivative(q);
 
     for (size_t k = 0; k < m_markers.size(); ++k) {
         const ConstrainedMarker& m = m_markers[k];
@@ -197,7 +201,7 @@ Real GeneralConstraintImpl::multiply(const State& state, const Motions& motions,
 template <class Index>
 void GeneralConstraintImpl::addForces(const State& state, const Reals& lambda, Motions& forces_A,
                                       Coordinates<Index>& modalForces) const {
-    const Real factor = getScale(state) * lambda[0];
+    const Real factor = getScale(state) * readMultiplier(lambda[0]);
     if (factor == 0) return;
     const PositionCache& cache = getPositionCache(state);
     for (int b = 0; b < m_numBodies; ++b) forces_A[ConstrainedBodyIndex(b)] += factor * cache.directions[b];

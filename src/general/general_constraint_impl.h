@@ -13,6 +13,12 @@
 
 namespace jprim {
 
+/// Adams' words for what is not a joint.
+constexpr const char *Gcon = "GCON", *DrivenCoordinate = "MOTION";
+
+/// What messages call an element: its name, after which a joint tells its type; or the type alone.
+std::string describeGeneral(const char* adamsType, const std::string& name);
+
 /// One equation scale (q^(d) - g) = 0. q is the expression, of positions or linear in velocities; g a
 /// function of time, zero for a GCON; d the derivative of q that g prescribes.
 ///
@@ -27,13 +33,19 @@ namespace jprim {
 /// memory: the error is what is left of its periods.
 class GeneralConstraintImpl : public SimTK::Constraint::Custom::Implementation {
 public:
-    /// @param function  null if the equation is q = 0
-    GeneralConstraintImpl(const Expression& coordinate, const Expression* function, int derivative,
-                          SimTK::Real period, const std::string& name);
+    /// @param adamsType  a literal: Gcon, DrivenCoordinate or that of a joint
+    /// @param function   null if the equation is q = 0
+    GeneralConstraintImpl(const char* adamsType, const Expression& coordinate, const Expression* function,
+                          int derivative, SimTK::Real period, const std::string& name);
     Implementation* clone() const override { return new GeneralConstraintImpl(*this); }
 
     const std::string& getName() const { return m_name; }
+    const char* getAdamsType() const { return m_adamsType; }
+    std::string getDescription() const { return describeGeneral(m_adamsType, m_name); }
+    const Marker& getMarker(int key) const;
     bool isHolonomic() const { return m_equationLevel == 0; }
+    /// True if the expression depends on where markers are, and not only on how they are turned.
+    bool isLength() const;
     void setScale(SimTK::Real scale) {
         invalidateTopologyCache();
         m_scale = scale;
@@ -60,6 +72,7 @@ private:
     struct PositionCache {
         std::vector<SimTK::SpatialVec> directions;  // by body, about its origin
         std::vector<SimTK::Real> modalDirections;   // by modal coordinate
+        SimTK::Real value = 0;                      // of the expression, at rest
         SimTK::Real rateAtRest = 0;                 // q'_0
         std::vector<MarkerMotion> motions;          // poses, and room for the rest
         std::optional<Evaluation> coordinate, function;
@@ -90,6 +103,7 @@ private:
 
     void addMarkers();
     std::string findVanished(const PositionCache& cache, SimTK::Real distance) const;
+    std::string findImpossible(const SimTK::State& state, const PositionCache& cache) const;
     PositionCache& updPositionCache(const SimTK::State& state) const;
     const PositionCache& getPositionCache(const SimTK::State& state) const;
     void placeMarkers(const SimTK::State& state, PositionCache& cache) const;  // at rest
@@ -107,6 +121,7 @@ private:
     void addForces(const SimTK::State& state, const Reals& lambda, Motions& forces_A,
                    Coordinates<Index>& modalForces) const;
 
+    const char* m_adamsType;
     std::string m_name;
     std::shared_ptr<const MarkerExpression> m_coordinate;
     std::shared_ptr<const MarkerExpression> m_function;  // may be null

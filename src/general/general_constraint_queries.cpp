@@ -2,9 +2,13 @@
 // What others ask a GeneralConstraint, as opposed to what Simbody does.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "general/general_constraint_impl.h"
+#include "jprim/base/error.h"
+#include "marker/read_multiplier.h"
 
 namespace jprim {
 
@@ -69,8 +73,62 @@ std::string GeneralConstraintImpl::findVanished(const PositionCache& cache, Real
     return "";
 }
 
+// Why no assembler or projection can meet the equation, starting here.
+std::string GeneralConstraintImpl::findImpossible(const State& state, const PositionCache& cache) const {
+    constexpr Real Met = 1e-7, Vanished = 1e-9;
+    const Taylor<Real> function = calcFunction(state);
+    for (const auto& [value, what] :
+         {std::pair(cache.value, "expression"), std::pair(function.value, "function")})
+        if (!std::isfinite(value))
+            return fmt::format("its {} has no finite value here, but is {}", what, value);
+
+    // The part of the error that does not come from velocities; of an equation of accelerations it is not known.
+    const Real atRest =
+        m_equationLevel == 0 ? reduce(cache.value - function.value) : cache.rateAtRest - function.value;
+    const bool isMet = m_equationLevel > 0 || std::abs(atRest) <= Met;
+    const std::string vanished = isMet ? findVanished(cache, Vanished) : "";
+    if (!vanished.empty()) return vanished;
+    if (isMet && cache.coordinate->isGradientChosen())
+        return "a length in its expression has become zero (of THETA and INCANG where the angle is zero, of PITCH "
+               "at a right angle), where a single equation cannot keep it";
+
+    const auto isZero = [](const SpatialVec& d) { return d[0].normSqr() == 0 && d[1].normSqr() == 0; };
+    const bool isFixed = std::all_of(cache.directions.begin(), cache.directions.end(), isZero) &&
+                         std::all_of(cache.modalDirections.begin(), cache.modalDirections.end(),
+                                     [](Real d) { return d == 0; });
+    if (isFixed && m_equationLevel < 2 && std::abs(atRest) > Met)
+        return fmt::format(
+            "it is not met, its error is {:.3g}, and no motion from here changes it (its derivatives "
+            "are zero or do not exist); start from another position",
+            atRest);
+    return "";
+}
+
 std::string GeneralConstraintImpl::findProblem(const State& state) const {
     return findVanished(getPositionCache(state), 1e-7);
+}
+
+//------------------------------------------------------------------------------------------- names
+std::string describeGeneral(const char* adamsType, const std::string& name) {
+    if (name.empty()) return adamsType;
+    const bool isJoint = std::strcmp(adamsType, Gcon) != 0 && std::strcmp(adamsType, DrivenCoordinate) != 0;
+    return isJoint ? name + " " + adamsType : name;
+}
+
+bool GeneralConstraintImpl::isLength() const {
+    for (size_t k = 0; k < m_coordinate->vectorInputs.size(); ++k) {
+        const MarkerQuantity quantity = m_coordinate->vectorInputs[k].quantity;
+        if (m_coordinate->program.usesVectorInput(int(k)) &&
+            (quantity == MarkerQuantity::Origin || quantity == MarkerQuantity::Velocity))
+            return true;
+    }
+    return false;
+}
+
+const Marker& GeneralConstraintImpl::getMarker(int key) const {
+    const int marker = m_coordinate->findMarker(key);
+    if (marker < 0) throw Error(getDescription(), fmt::format("does not depend on a marker {}", key));
+    return m_coordinate->markers[size_t(marker)];
 }
 
 //-------------------------------------------------------------------------------------- reactions
@@ -87,7 +145,8 @@ SpatialVec GeneralConstraintImpl::calcLoadOn(const State& state, int markerId) c
     m_angles.recall(state, q);
     q.calcValue();
     q.calcGradient();
-    return -getScale(state) * lambda[0] * m_coordinate->getDirection(q, cache.motions.data(), marker);
+    return -getScale(state) * readMultiplier(lambda[0]) *
+           m_coordinate->getDirection(q, cache.motions.data(), marker);
 }
 
 }  // namespace jprim

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/joint/motion.h"
 
+#include "general/general_constraint_impl.h"
 #include "marker/marker_frames.h"
+#include "marker/require_on_body.h"
 
 namespace jprim {
 
@@ -35,16 +37,30 @@ Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinat
     });
 }
 
-Motion::Motion(const Marker& I, const Marker& J, Coordinate coordinate, const Expression& function,
-               int derivative, const std::string& name)
-    : GeneralConstraint(makeCoordinate(I, J, coordinate), function, derivative,
-                        isLength(coordinate) ? Real(0) : 2 * SimTK::Pi, name) {}
+namespace {
 
-SpatialVec Motion::calcReactionOnI(const State& state) const {
+Expression makeMotionCoordinate(const Marker& I, const Marker& J, Coordinate coordinate,
+                                const std::string& name) {
+    requireTwoBodies(I, J, describeGeneral(DrivenCoordinate, name));
+    return makeCoordinate(I, J, coordinate);
+}
+
+}  // namespace
+
+PrescribedMotion::PrescribedMotion(const Marker& I, const Marker& J, Coordinate coordinate,
+                                   const Expression& function, int derivative, const std::string& name)
+    : TypedHandle(DrivenCoordinate, makeMotionCoordinate(I, J, coordinate, name), function, derivative,
+                  isLength(coordinate) ? Real(0) : 2 * SimTK::Pi, name) {}
+
+bool PrescribedMotion::isInstanceOf(const SimTK::Constraint& constraint) {
+    return isOfType(constraint, DrivenCoordinate);
+}
+
+SpatialVec PrescribedMotion::calcReactionOnI(const State& state) const {
     return calcReactionOn(state, PairI);
 }
 
-SpatialVec Motion::calcReactionOnJ(const State& state) const {
+SpatialVec PrescribedMotion::calcReactionOnJ(const State& state) const {
     return calcReactionOn(state, PairJ);
 }
 

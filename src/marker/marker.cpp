@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/marker/marker.h"
 
+#include <fmt/format.h>
+
 #include "marker/marker_motion.h"
+#include "marker/require_finite.h"
 
 namespace jprim {
 
@@ -11,10 +14,24 @@ using SimTK::State;
 using SimTK::Transform;
 using SimTK::Vec3;
 
-Marker::Marker(const MobilizedBody& body, const Transform& X_BM) : m_body(body), m_X(X_BM) {}
+namespace {
+
+void requireFinitePose(const Transform& X, const MobilizedBody& body) {
+    const bool isOnBody = !body.isEmptyHandle() && body.isInSubsystem();
+    requireFinite(X, "its",
+                  isOnBody ? fmt::format("marker on body {}", int(body.getMobilizedBodyIndex())) : "marker");
+}
+
+}  // namespace
+
+Marker::Marker(const MobilizedBody& body, const Transform& X_BM) : m_body(body), m_X(X_BM) {
+    requireFinitePose(m_X, m_body);
+}
 
 Marker::Marker(const FlexibleBody& body, int node, const Transform& X_NM)
-    : m_body(body.getBody()), m_node(body.findNode(node)), m_X(X_NM) {}
+    : m_body(body.getBody()), m_node(body.findNode(node)), m_X(X_NM) {
+    requireFinitePose(m_X, m_body);
+}
 
 bool Marker::isOnBody() const {
     return !m_body.isEmptyHandle() && m_body.isInSubsystem();
@@ -22,6 +39,7 @@ bool Marker::isOnBody() const {
 
 Marker Marker::withPose(const Transform& X) const {
     Marker marker(*this);
+    requireFinitePose(X, m_body);
     marker.m_X = X;
     return marker;
 }

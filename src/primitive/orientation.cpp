@@ -60,6 +60,6 @@ const PairEquations& getOrientationEquations() {
 }
 
 Orientation::Orientation(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive("ORIENTATION", getOrientationEquations(), I, J, name) {}
+    : TypedHandle(AdamsType, getOrientationEquations(), I, J, name) {}
 
 }  // namespace jprim

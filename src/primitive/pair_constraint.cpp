@@ -7,6 +7,8 @@
 
 #include "jprim/base/error.h"
 #include "jprim/marker/load.h"
+#include "marker/find_implementation.h"
+#include "marker/require_finite.h"
 #include "primitive/pair_constraint_impl.h"
 
 namespace jprim {
@@ -30,7 +32,11 @@ MarkerPair findPairInGround(const PairConstraint& constraint, const State& state
 
 PairConstraint::PairConstraint(const char* adamsType, const std::vector<const PairEquations*>& equations,
                                const Marker& I, const Marker& J, const std::string& name)
-    : Custom(new PairConstraintImpl(adamsType, equations, I, J, name)) {}
+    : TypedHandle(new PairConstraintImpl(adamsType, equations, I, J, name)) {}
+
+bool PairConstraint::isInstanceOf(const SimTK::Constraint& constraint) {
+    return findImplementation<PairConstraintImpl>(constraint) != nullptr;
+}
 
 const PairConstraintImpl& PairConstraint::getImpl() const {
     return static_cast<const PairConstraintImpl&>(getImplementation());
@@ -83,11 +89,13 @@ Marker PairConstraint::getDefaultMarkerJ() const {
 }
 
 PairConstraint& PairConstraint::setDefaultMarkerI(const Transform& X) {
+    requireFinite(X, "marker I's", getDescription());
     updImpl().setDefaultPlacements({X, getImpl().getDefaultPlacements().J});
     return *this;
 }
 
 PairConstraint& PairConstraint::setDefaultMarkerJ(const Transform& X) {
+    requireFinite(X, "marker J's", getDescription());
     updImpl().setDefaultPlacements({getImpl().getDefaultPlacements().I, X});
     return *this;
 }
@@ -101,10 +109,12 @@ Marker PairConstraint::getMarkerJ(const State& state) const {
 }
 
 void PairConstraint::setMarkerI(State& state, const Transform& X) const {
+    requireFinite(X, "marker I's", getDescription());
     getImpl().updPlacements(state).I = X;
 }
 
 void PairConstraint::setMarkerJ(State& state, const Transform& X) const {
+    requireFinite(X, "marker J's", getDescription());
     getImpl().updPlacements(state).J = X;
 }
 

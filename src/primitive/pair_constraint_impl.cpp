@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "jprim/base/error.h"
 #include "marker/cache_entry.h"
+#include "marker/read_multiplier.h"
 #include "marker/require_on_body.h"
 
 namespace jprim {
@@ -32,16 +32,9 @@ std::string describe(const char* adamsType, const std::string& name) {
 
 // Simbody would notice these mistakes only when the topology is realized, without saying whose they are.
 SimbodyMatterSubsystem& findMatter(const Marker& I, const Marker& J, const std::string& element) {
-    for (const auto& [marker, letter] : {std::pair(&I, 'I'), std::pair(&J, 'J')})
-        requireOnBody(*marker, std::string("marker ") + letter, element);
-    const SimbodyMatterSubsystem& matter = I.getBody().getMatterSubsystem();
-    if (&matter.getSystem() != &J.getBody().getMatterSubsystem().getSystem())
-        throw Error(element, "markers I and J belong to different systems; put both bodies into one");
-    if (I.getBody().getMobilizedBodyIndex() == J.getBody().getMobilizedBodyIndex())
-        throw Error(element, fmt::format("markers I and J are both on body {}; it acts between two "
-                                         "different bodies",
-                                         int(I.getBody().getMobilizedBodyIndex())));
-    return const_cast<SimbodyMatterSubsystem&>(matter);  // adding a constraint is what the caller asked for
+    requireTwoBodies(I, J, element);
+    // Adding a constraint is what the caller asked for.
+    return const_cast<SimbodyMatterSubsystem&>(I.getBody().getMatterSubsystem());
 }
 
 int countEquations(const PairConstraintImpl::Parts& parts) {
@@ -269,7 +262,7 @@ void PairConstraintImpl::addInPositionConstraintForces(
     SpatialVec& onI = bodyForcesInA[m_I.body];
     SpatialVec& onJ = bodyForcesInA[m_J.body];
     for (int k = 0; k < getNumEquations(); ++k) {
-        const Real lambda = multipliers[unsigned(k)];
+        const Real lambda = readMultiplier(multipliers[unsigned(k)]);
         if (lambda == 0) continue;
         const Row& row = cache.rows[size_t(k)];
         onI[0] += lambda * row.momentI;
@@ -291,7 +284,7 @@ SpatialVec PairConstraintImpl::calcLoadOnI(const State& state, const MarkerPair&
     SpatialVec load(Vec3(0), Vec3(0));
     const Placements& placements = getPlacements(state);
     for (int k = 0; k < getNumEquations(); ++k)
-        load -= lambda[k] * placements.scales[size_t(k)] * d[size_t(k)];
+        load -= readMultiplier(lambda[k]) * placements.scales[size_t(k)] * d[size_t(k)];
     return load;
 }
 

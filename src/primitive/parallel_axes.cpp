@@ -88,6 +88,6 @@ const PairEquations& getParallelAxesEquations() {
 }
 
 ParallelAxes::ParallelAxes(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive("PARALLEL_AXES", getParallelAxesEquations(), I, J, name) {}
+    : TypedHandle(AdamsType, getParallelAxesEquations(), I, J, name) {}
 
 }  // namespace jprim

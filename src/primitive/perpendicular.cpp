@@ -80,6 +80,6 @@ const PairEquations& getConstantVelocityEquations(bool opposed) {
 }
 
 Perpendicular::Perpendicular(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive("PERPENDICULAR", getPerpendicularEquations(), I, J, name) {}
+    : TypedHandle(AdamsType, getPerpendicularEquations(), I, J, name) {}
 
 }  // namespace jprim

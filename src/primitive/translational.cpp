@@ -61,12 +61,12 @@ const PairEquations& getInPlaneEquations() {
 }
 
 AtPoint::AtPoint(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive("ATPOINT", getAtPointEquations(), I, J, name) {}
+    : TypedHandle(AdamsType, getAtPointEquations(), I, J, name) {}
 
 InLine::InLine(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive("INLINE", getInLineEquations(), I, J, name) {}
+    : TypedHandle(AdamsType, getInLineEquations(), I, J, name) {}
 
 InPlane::InPlane(const Marker& I, const Marker& J, const std::string& name)
-    : Primitive("INPLANE", getInPlaneEquations(), I, J, name) {}
+    : TypedHandle(AdamsType, getInPlaneEquations(), I, J, name) {}
 
 }  // namespace jprim

@@ -118,6 +118,11 @@ TEST(Beam, RefusesImpossibleProperties) {
     beam = makeSteelBeam(2);
     beam.shearFactorZ = -0.5;
     expectError(beam, "beam: shearFactorZ is -0.5; it must not be negative");
+    beam = makeSteelBeam(2);
+    beam.youngsModulus = SimTK::Infinity;
+    expectError(beam, "beam: youngsModulus is inf; it must be finite");
+    beam.youngsModulus = SimTK::NaN;
+    expectError(beam, "beam: youngsModulus is nan; it must be positive");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using MakeEquation = GeneralConstraint (*)(const Marker& I, const Marker& J);
 
 template <Coordinate Q>
 GeneralConstraint makeMotion(const Marker& I, const Marker& J) {
-    return Motion(I, J, Q, Expression("0.3*SIN(2*TIME)", {}));
+    return PrescribedMotion(I, J, Q, Expression("0.3*SIN(2*TIME)", {}));
 }
 
 struct Case {

@@ -155,12 +155,23 @@ TEST(FlexibleBody, RefusesWhatCannotMove) {
     ModalBasis light = getBasis();
     light.rigid.mass = 0;
     EXPECT_EQ(make(light, {}).substr(0, 35), "beam: has mass 0 and moments of ine");
-    FlexibleSystem s;
+    EXPECT_EQ(make(getBasis(), std::vector<Real>(7, SimTK::Infinity)), "beam: a damping ratio is inf");
+    ModalBasis unfinished = getBasis();
+    unfinished.frequencies[2] = SimTK::NaN;
+    EXPECT_EQ(make(unfinished, {}), "beam: the frequency of mode 3 is nan; it must be positive and finite");
+    unfinished = getBasis();
+    unfinished.rigid.center[1] = SimTK::NaN;
+    EXPECT_EQ(make(unfinished, {}), "beam: its mass, mass centre or inertia is not finite");
+    FlexibleSystem s, elsewhere;
+    EXPECT_EQ(testing::catchError([&] { FlexibleBody(s.matter, elsewhere.forces, getBasis()); }),
+              "beam: its matter and its forces belong to different systems");
     const FlexibleBody body(s.matter, s.forces, getBasis());
     EXPECT_EQ(testing::catchError([&] { Marker(body, 99); }), "beam: has no node 99");
     State state = s.system.realizeTopology();
     EXPECT_EQ(testing::catchError([&] { body.setModalCoordinates(state, Vector(3, 0.)); }),
               "beam: 3 values for 7 modal coordinates");
+    EXPECT_EQ(testing::catchError([&] { body.setModalVelocities(state, Vector(7, SimTK::NaN)); }),
+              "beam: a value for a modal coordinate is not finite");
 }
 
 }  // namespace

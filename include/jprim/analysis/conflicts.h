@@ -7,6 +7,7 @@
 
 #include "SimTKsimbody.h"
 #include "jprim/analysis/constraint_equations.h"
+#include "jprim/simbody_abi.h"
 
 /// @file
 /// Why a mechanism cannot be assembled.

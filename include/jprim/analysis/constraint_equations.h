@@ -8,6 +8,7 @@
 
 #include "SimTKsimbody.h"
 #include "jprim/joint/joint.h"
+#include "jprim/simbody_abi.h"
 
 /// @file
 /// The constraint equations of any Simbody system, named as a user knows them.
@@ -46,12 +47,12 @@ struct ElementName {
 };
 using ElementNames = std::map<SimTK::ConstraintIndex, ElementName>;
 
-/// Names for joints, among them those of one equation that only the Joint knows by its type.
+/// The names that joints have anyway, for changing some.
 ElementNames nameElements(const std::vector<Joint>& joints);
 
-/// All equations in use, in the order in which the constraints were added to the system. Constraints without
-/// a name are called by their type: a primitive by its own description, any other by its class and index,
-/// as in "Ball (constraint 4)". Requires Stage::Instance.
+/// All equations in use, in the order in which the constraints were added to the system. A constraint that `names`
+/// leaves out is called by its own description if it is one of jprim's, any other by its class and index, as in
+/// "Ball (constraint 4)". Requires Stage::Instance.
 std::vector<ConstraintEquation> findEquations(const SimTK::SimbodyMatterSubsystem& matter,
                                               const SimTK::State& state, const ElementNames& names = {});
 

@@ -6,6 +6,7 @@
 
 #include "SimTKsimbody.h"
 #include "jprim/analysis/constraint_equations.h"
+#include "jprim/simbody_abi.h"
 
 /// @file
 /// How much the constraints of a system leave free, which of them say nothing new, and whether that is due to

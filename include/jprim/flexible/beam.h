@@ -28,7 +28,7 @@ struct UniformBeam {
 /// the polar inertia rho (I_y + I_z) of the twist and leaves out the rotary inertia of bending.
 /// Node ids are 1 to elements + 1.
 /// Source: J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, chapters 5 and 11.
-/// @throws Error for a property that is not positive (shear factors: negative)
+/// @throws Error for a property that is not positive (shear factors: negative) or not finite
 FiniteElementModel makeFiniteElementModel(const UniformBeam& beam);
 
 }  // namespace jprim

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "SimTKcommon.h"
+#include "jprim/simbody_abi.h"
 
 namespace jprim {
 

@@ -7,6 +7,7 @@
 
 #include "SimTKsimbody.h"
 #include "jprim/flexible/modal_basis.h"
+#include "jprim/simbody_abi.h"
 
 namespace jprim {
 

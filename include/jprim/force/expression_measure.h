@@ -3,6 +3,7 @@
 #define JPRIM_FORCE_EXPRESSION_MEASURE_H_
 
 #include "jprim/marker/expression.h"
+#include "jprim/marker/typed_handle.h"
 
 namespace jprim {
 
@@ -11,11 +12,15 @@ class ExpressionMeasureImpl;
 /// An expression as a member of a system, where its angles AX, AY and AZ count whole turns from step to step
 /// of an integrator, whether or not it is disabled. To Simbody it is a force element that applies no force; the
 /// handle holds no data.
-class ExpressionMeasure : public SimTK::Force::Custom {
+class ExpressionMeasure : public TypedForce<ExpressionMeasure> {
 public:
     /// An empty handle; good only to be assigned to.
     ExpressionMeasure() = default;
-    /// @throws Error if the expression is a vector
+    static constexpr const char* ClassName = "ExpressionMeasure";
+    static bool isInstanceOf(const SimTK::Force& force);
+
+    /// @throws Error if the expression is a vector, or if one of its markers is on no body or in another system than
+    ///         the forces
     ExpressionMeasure(SimTK::GeneralForceSubsystem& forces, const Expression& expression);
 
     /// Requires Stage::Position, Stage::Velocity or Stage::Acceleration, as the highest derivative in the

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "jprim/marker/expression.h"
+#include "jprim/marker/typed_handle.h"
 
 namespace jprim {
 
@@ -24,17 +25,23 @@ struct ForceLaw {
 /// VFORCE, VTORQUE, GFORCE, SPRINGDAMPER and BUSHING are made of. The opposite load acts on J's body at the
 /// place where I's origin is; at J's origin it is [-M_I - r x F_I, -F_I] with r from J to I. Without J there
 /// is no reaction. An ordinary SimTK::Force; the handle holds no data and may be copied freely.
-class MarkerForce : public SimTK::Force::Custom {
+class MarkerForce : public TypedForce<MarkerForce> {
 public:
     /// An empty handle; good only to be assigned to.
     MarkerForce() = default;
 
+    static constexpr const char* ClassName = "MarkerForce";
+    static bool isInstanceOf(const SimTK::Force& force);
+
     /// @throws Error, naming the force, if a law's force or moment is not a vector or its potential not a
-    ///         scalar, if the law depends on accelerations or reactions, or if a marker is on no body
+    ///         scalar of positions, if the law depends on accelerations or reactions, or if a marker, of the law too,
+    ///         is on no body or in another system than the forces
     MarkerForce(SimTK::GeneralForceSubsystem& forces, const Marker& I, const std::optional<Marker>& J,
                 const ForceLaw& law, const std::string& name = "");
 
     const std::string& getName() const;
+    /// What messages call this element: its name, or "force".
+    std::string getDescription() const;
 
     /// The load [moment, force] on I at I's origin and on J at J's, in Ground; zero if the force is disabled.
     /// Requires Stage::Velocity.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "jprim/marker/expression.h"
+#include "jprim/marker/typed_handle.h"
 
 namespace jprim {
 
@@ -15,12 +16,20 @@ class GeneralConstraintImpl;
 /// - nonholonomic if f depends on velocities: de/dt = f, which must be linear in them.
 ///
 /// Each marker receives the load lambda df'/d[w, v], f' being df/dt of a holonomic and f of a nonholonomic
-/// equation. An ordinary SimTK::Constraint; the handle holds no data and may be copied freely. Source:
-/// Adams/Solver C++, statement GCON.
-class GeneralConstraint : public SimTK::Constraint::Custom {
+/// equation. Realizing Stage::Position throws Error where the equation has no finite value, and where it is not met and
+/// no motion changes it: from there no assembler finds a way. A length that is zero may grow in any direction; one is
+/// then chosen, so that DM(1,2)-0.5 assembles from points that coincide.
+///
+/// An ordinary SimTK::Constraint; the handle holds no data and may be copied freely. Source: Adams/Solver C++,
+/// statement GCON.
+class GeneralConstraint : public TypedConstraint<GeneralConstraint, SimTK::Constraint::Custom> {
 public:
     /// An empty handle; good only to be assigned to.
     GeneralConstraint() = default;
+
+    /// True of all that are made of one, PrescribedMotions and the Joints Screw and Rackpin among them.
+    static bool isInstanceOf(const SimTK::Constraint& constraint);
+    static constexpr const char* ClassName = "GeneralConstraint";
 
     /// f = 0.
     /// @throws Error, naming the constraint, if f is a vector, depends on no marker, on accelerations or
@@ -32,21 +41,25 @@ public:
     /// @param function    g, of nothing but TIME
     /// @param derivative  which derivative of q equals g: 0, 1 or 2
     /// @param period      q and q + period are the same, and g may go on for many of them; 0: they are not
-    /// @throws Error as above
+    /// @throws Error as above, or for another derivative or period
     GeneralConstraint(const Expression& coordinate, const Expression& function, int derivative,
                       SimTK::Real period, const std::string& name = "");
 
     const std::string& getName() const;
+    /// Adams' word for what it is: "GCON", "MOTION", "SCREW" or "RACKPIN".
+    const char* getAdamsType() const;
+    /// What messages call this constraint: its name, of a joint with the type; or the type alone.
+    std::string getDescription() const;
     /// True if the equation is one of positions.
     bool isHolonomic() const;
 
     /// A factor of the equation. It changes no motion and no reaction, but what a tolerance means: by default
-    /// 1; good where the factor's gradient is about 1.
+    /// 1; good where the factor's gradient is about 1. @throws Error if it is zero or not finite
     GeneralConstraint& setDefaultScale(SimTK::Real scale);
 
     /// @name Dropping the equation
     /// As PairConstraint::dropEquation(): an equation that follows from others then holds nothing and carries no
-    /// load. Needs Stage::Topology and changes Stage::Position.
+    /// load, be it the only one of a system. Needs Stage::Topology and changes Stage::Position.
     ///@{
     void dropEquation(SimTK::State& state) const;
     void restoreEquation(SimTK::State& state) const;
@@ -85,11 +98,22 @@ public:
     SimTK::SpatialVec calcReactionOn(const SimTK::State& state, int marker) const;
     SimTK::SpatialVec calcReactionOn(const SimTK::State& state, int marker, const Marker& axes) const;
 
+    /// The marker with this key in the expression. @throws Error if the expression does not depend on it
+    const Marker& getMarker(int key) const;
+
     /// What keeps the equation from being met at States near this one, in words; empty if nothing does.
     /// Requires Stage::Position.
     std::string findProblem(const SimTK::State& state) const;
 
+protected:
+    /// The same for a class that is made of it.
+    GeneralConstraint(const char* adamsType, const Expression& f, const std::string& name);
+    GeneralConstraint(const char* adamsType, const Expression& coordinate, const Expression& function,
+                      int derivative, SimTK::Real period, const std::string& name);
+    static bool isOfType(const SimTK::Constraint& constraint, const char* adamsType);
+
 private:
+    friend class Joint;
     explicit GeneralConstraint(GeneralConstraintImpl* implementation);
     const GeneralConstraintImpl& getImpl() const;
     GeneralConstraintImpl& updImpl();

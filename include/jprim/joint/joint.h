@@ -39,6 +39,9 @@ namespace jprim {
 /// copies refer to the same constraint.
 class Joint {
 public:
+    /// No joint; good only to be assigned to.
+    Joint() = default;
+
     static Joint Spherical(const Marker& I, const Marker& J, const std::string& name = "");
     static Joint Revolute(const Marker& I, const Marker& J, const std::string& name = "");
     static Joint Cylindrical(const Marker& I, const Marker& J, const std::string& name = "");
@@ -54,15 +57,23 @@ public:
     /// @param pitch  length per turn; right-hand if positive
     static Joint Screw(const Marker& I, const Marker& J, SimTK::Real pitch, SimTK::Real offset = 0,
                        const std::string& name = "");
-    /// @param diameter  pitch diameter of the pinion
+    /// @param diameter  pitch diameter of the pinion; it, a pitch or an offset that is not finite is an Error
     static Joint Rackpin(const Marker& I, const Marker& J, SimTK::Real diameter, SimTK::Real offset = 0,
                          const std::string& name = "");
 
     /// A joint of one primitive, with its type and name: lets a JPRIM stand where a JOINT does.
     explicit Joint(const Primitive& primitive);
 
+    /// @name From a constraint back to the joint
+    /// True of what one of the factories above made; the joint that it is.
+    ///@{
+    static bool isInstanceOf(const SimTK::Constraint& constraint);
+    /// @throws Error if it is another kind of constraint
+    static Joint downcast(const SimTK::Constraint& constraint);
+    ///@}
+
     /// Adams' word for the type: "REVOLUTE".
-    const char* getAdamsType() const { return m_adamsType; }
+    const char* getAdamsType() const;
     const std::string& getName() const;
 
     /// The name and the type, or the type alone: what messages call this joint.
@@ -76,10 +87,46 @@ public:
         return std::get_if<GeneralConstraint>(&m_constraint);
     }
 
+    operator const SimTK::Constraint&() const { return getConstraint(); }
+
+    /// @name As of its constraint
+    ///@{
+    SimTK::ConstraintIndex getConstraintIndex() const { return getConstraint().getConstraintIndex(); }
     /// Switch the constraint off or on in this State. Requires Stage::Model.
     void disable(SimTK::State& state) const { getConstraint().disable(state); }
     void enable(SimTK::State& state) const { getConstraint().enable(state); }
     bool isDisabled(const SimTK::State& state) const { return getConstraint().isDisabled(state); }
+    bool isDisabledByDefault() const { return getConstraint().isDisabledByDefault(); }
+    Joint& setDisabledByDefault(bool isDisabled);
+
+    /// Of the equations in use, at the stage that they are about; multipliers at Stage::Acceleration.
+    SimTK::Vector getPositionErrorsAsVector(const SimTK::State& state) const {
+        return getConstraint().getPositionErrorsAsVector(state);
+    }
+    SimTK::Vector getVelocityErrorsAsVector(const SimTK::State& state) const {
+        return getConstraint().getVelocityErrorsAsVector(state);
+    }
+    SimTK::Vector getAccelerationErrorsAsVector(const SimTK::State& state) const {
+        return getConstraint().getAccelerationErrorsAsVector(state);
+    }
+    SimTK::Vector getMultipliersAsVector(const SimTK::State& state) const {
+        return getConstraint().getMultipliersAsVector(state);
+    }
+    ///@}
+
+    /// @name Markers
+    /// As those of PairConstraint. A Screw and a Rackpin keep the markers they were made with: setting one is an
+    /// Error.
+    ///@{
+    Marker getDefaultMarkerI() const;
+    Marker getDefaultMarkerJ() const;
+    Joint& setDefaultMarkerI(const SimTK::Transform& X);
+    Joint& setDefaultMarkerJ(const SimTK::Transform& X);
+    Marker getMarkerI(const SimTK::State& state) const;
+    Marker getMarkerJ(const SimTK::State& state) const;
+    void setMarkerI(SimTK::State& state, const SimTK::Transform& X) const;
+    void setMarkerJ(SimTK::State& state, const SimTK::Transform& X) const;
+    ///@}
 
     /// The turns of a Screw or a Rackpin that its travel asks for, fractions included: [travel - offset]/pitch or
     /// its like, up to the error of the equation; no numbers of other joints. Requires Stage::Position. As
@@ -106,9 +153,9 @@ private:
     using Parts = std::vector<const PairEquations*>;
     Joint(const char* adamsType, const Parts& parts, const Marker& I, const Marker& J,
           const std::string& name);
-    Joint(const char* adamsType, const GeneralConstraint& constraint);
+    explicit Joint(const GeneralConstraint& constraint) : m_constraint(constraint) {}
+    const PairConstraint& requireMovableMarkers() const;
 
-    const char* m_adamsType;
     std::variant<PairConstraint, GeneralConstraint> m_constraint;
 };
 

@@ -30,14 +30,18 @@ Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinat
 /// positions, velocities or accelerations, and only what it prescribes is kept exactly. The reaction is the
 /// load that drives I: a force along an axis of J or, at the coordinate's axis, a torque. Source:
 /// Adams/Solver, statement MOTION.
-class Motion : public GeneralConstraint {
+class PrescribedMotion : public TypedConstraint<PrescribedMotion, GeneralConstraint> {
 public:
-    Motion() = default;
+    static constexpr const char* ClassName = "PrescribedMotion";
+    static bool isInstanceOf(const SimTK::Constraint& constraint);
+
+    /// An empty handle; good only to be assigned to.
+    PrescribedMotion() = default;
     /// @param function    of nothing but TIME; an angle may go on for whole turns
     /// @param derivative  which derivative of the coordinate the function gives: 0, 1 or 2
-    /// @throws Error as GeneralConstraint
-    Motion(const Marker& I, const Marker& J, Coordinate coordinate, const Expression& function,
-           int derivative = 0, const std::string& name = "");
+    /// @throws Error as GeneralConstraint and as primitives do
+    PrescribedMotion(const Marker& I, const Marker& J, Coordinate coordinate, const Expression& function,
+                     int derivative = 0, const std::string& name = "");
 
     /// [moment, force] on the marker's body at its origin, in Ground. Requires Stage::Acceleration.
     SimTK::SpatialVec calcReactionOnI(const SimTK::State& state) const;

@@ -3,6 +3,7 @@
 #define JPRIM_MARKER_ANGLES_H_
 
 #include "SimTKcommon.h"
+#include "jprim/simbody_abi.h"
 
 namespace jprim {
 

@@ -6,6 +6,7 @@
 
 #include "SimTKsimbody.h"
 #include "jprim/flexible/flexible_body.h"
+#include "jprim/simbody_abi.h"
 
 namespace jprim {
 
@@ -19,6 +20,7 @@ public:
 
     /// @param body  any mobilized body, Ground included
     /// @param X_BM  the marker's pose in the body frame B; B itself by default
+    /// @throws Error if the pose is not finite
     explicit Marker(const SimTK::MobilizedBody& body, const SimTK::Transform& X_BM = SimTK::Transform());
 
     /// A marker that moves with a node of a flexible body: a rigid lever of length X_NM.p() welded to the
@@ -26,7 +28,7 @@ public:
     /// @param body  the flexible body
     /// @param node  id of a node of its basis
     /// @param X_NM  the marker's pose in the node's frame, which undeformed has the axes of the mesh
-    /// @throws Error if the basis has no such node
+    /// @throws Error if the basis has no such node or the pose is not finite
     Marker(const FlexibleBody& body, int node, const SimTK::Transform& X_NM = SimTK::Transform());
 
     /// True if the marker has a body and that body belongs to a matter subsystem.
@@ -38,7 +40,7 @@ public:
     const SimTK::MobilizedBody& getBody() const { return m_body; }
     /// X_BM, or X_NM of a flexible marker.
     const SimTK::Transform& getPose() const { return m_X; }
-    /// The same marker with another X_BM or X_NM.
+    /// The same marker with another X_BM or X_NM. @throws Error if that is not finite
     Marker withPose(const SimTK::Transform& X) const;
 
     /// Pose in the body frame: deformed as in the State, which must have been realized to Stage::Model; or

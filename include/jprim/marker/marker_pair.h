@@ -3,6 +3,7 @@
 #define JPRIM_MARKER_MARKER_PAIR_H_
 
 #include "SimTKsimbody.h"
+#include "jprim/simbody_abi.h"
 
 namespace jprim {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jprim/marker/marker.h"
+#include "jprim/marker/typed_handle.h"
 
 namespace jprim {
 
@@ -20,10 +21,13 @@ class PairEquations;
 /// is given whose axes to use. They need Stage::Acceleration and are zero while the constraint is disabled.
 /// The load on J is equal and opposite to the load on I; at J's origin it carries the lever:
 /// M_J = -M_I - r x F_I with r from J's origin to I's. Source: Adams/Solver C++, statement JPRIM.
-class PairConstraint : public SimTK::Constraint::Custom {
+class PairConstraint : public TypedConstraint<PairConstraint, SimTK::Constraint::Custom> {
 public:
     /// An empty handle; good only to be assigned to.
     PairConstraint() = default;
+
+    static constexpr const char* ClassName = "PairConstraint";
+    static bool isInstanceOf(const SimTK::Constraint& constraint);
 
     /// @name Identity
     /// The name appears in every message, e.g. "JPRIM/12". Changing it does not touch the topology.
@@ -48,7 +52,8 @@ public:
     /// @name Markers
     /// A marker's body or node is fixed at construction. Its pose on that (X: X_BM, or X_NM of a flexible
     /// marker) has a default, which belongs to the topology, and a value in each State, which belongs to
-    /// Stage::Position: setting it needs Stage::Topology and no rebuilding. A changed pose may violate the constraint; assemble again.
+    /// Stage::Position: setting it needs Stage::Topology and no rebuilding. A changed pose may violate the
+    /// constraint; assemble again. A pose that is not finite is an Error.
     ///@{
     Marker getDefaultMarkerI() const;
     Marker getDefaultMarkerJ() const;
@@ -62,8 +67,8 @@ public:
 
     /// @name Single equations
     /// An equation k = 0, 1 … that follows from other constraints can be dropped in a State: it then holds
-    /// nothing and carries no load. Dropping and restoring need Stage::Topology and change Stage::Position.
-    /// All throw Error if there is no such equation.
+    /// nothing and carries no load, be it the only one of a system. Dropping and restoring need Stage::Topology
+    /// and change Stage::Position. All throw Error if there is no such equation.
     ///@{
     void dropEquation(SimTK::State& state, int k) const;
     void restoreEquation(SimTK::State& state, int k) const;

@@ -9,10 +9,13 @@
 namespace jprim {
 
 /// What the six joint primitives have in common: one to three equations that are all lengths or all angles.
-class Primitive : public PairConstraint {
+class Primitive : public TypedConstraint<Primitive, PairConstraint> {
 public:
     /// An empty handle; good only to be assigned to.
     Primitive() = default;
+
+    static constexpr const char* ClassName = "Primitive";
+    static bool isInstanceOf(const SimTK::Constraint& constraint);
 
     /// As those of PairConstraint.
     Primitive& setName(const std::string& name);
@@ -35,6 +38,8 @@ public:
     SimTK::Real JPRIM(const SimTK::State& state, int jflag, int comp) const;
 
 protected:
+    static bool isOfType(const SimTK::Constraint& constraint, const char* adamsType);
+
     /// As PairConstraint, of one kind of equations.
     Primitive(const char* adamsType, const PairEquations& equations, const Marker& I, const Marker& J,
               const std::string& name);
