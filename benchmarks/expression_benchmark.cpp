@@ -33,7 +33,7 @@ public:
         if (call.name == "U") return m_U;
         return std::nullopt;
     }
-    const jprim::Spline* findSpline(int) override { return nullptr; }
+    const jprim::InterpolatingSpline* findSpline(int) override { return nullptr; }
     std::vector<std::string> getNames() const override { return {"Q", "U"}; }
 
 private:

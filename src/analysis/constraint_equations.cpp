@@ -130,7 +130,10 @@ const char* getName(EquationLevel level) {
 
 ElementNames nameElements(const std::vector<Joint>& joints) {
     ElementNames names;
-    for (const Joint& joint : joints) names[joint.getConstraintIndex()] = findName(joint, {});
+    for (const Joint& joint : joints) {
+        ElementName& name = names[joint.getConstraintIndex()] = findName(joint, {});
+        if (joint.getGeneralConstraint()) name.equations = {"its own equation"};
+    }
     return names;
 }
 

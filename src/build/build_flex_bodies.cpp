@@ -70,7 +70,11 @@ void MechanismBuilder::addFlexBody(const FlexBodyStatement& statement) {
 Marker MechanismBuilder::makeMarker(const MarkerStatement& statement) const {
     const MechanismPart& part = m_mechanism.m_parts[size_t(m_ownerOfMarker.at(statement.id))];
     const Transform X_BM = part.bcs.getPose() * m_markerPoses.at(statement.id);
-    if (!part.flexible || statement.node == 0) return Marker(part.body, X_BM);
+    const auto isItsNode = [&](const ModalNode& node) { return node.id == statement.node; };
+    const bool isOnNode = part.flexible && std::any_of(part.flexible->getBasis().nodes.begin(),
+                                                       part.flexible->getBasis().nodes.end(), isItsNode);
+    if (!isOnNode)
+        return Marker(part.body, X_BM);  // a node that is missing was reported with the marker's place
     const Vec3 p_BN = part.flexible->getBasis().getNode(statement.node).position;
     return Marker(*part.flexible, statement.node, Transform(-p_BN) * X_BM);
 }

@@ -20,7 +20,7 @@ void MechanismBuilder::prepareFunctions() {
                 z.push_back(parameter);
                 curves.push_back(values);
             }
-            m_functions.splines.emplace(s.id, Spline(name, s.x, z, curves));
+            m_functions.splines.emplace(s.id, InterpolatingSpline(name, s.x, z, curves));
         });
     }
     for (const VariableStatement& s : m_dataset.variables) m_functions.variables[s.id] = &s;

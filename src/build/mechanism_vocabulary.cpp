@@ -65,7 +65,7 @@ std::optional<Operand> MechanismVocabulary::makeMeasure(ProgramBuilder& builder,
     return MarkerVocabulary::call(builder, call);
 }
 
-const Spline* MechanismVocabulary::findSpline(int id) {
+const InterpolatingSpline* MechanismVocabulary::findSpline(int id) {
     const auto found = m_context.splines.find(id);
     return found == m_context.splines.end() ? nullptr : &found->second;
 }

@@ -19,7 +19,7 @@ struct FunctionContext {
     UnitSystem units;
     std::vector<LoadElement> elements;
     std::unordered_map<int, const VariableStatement*> variables;
-    std::unordered_map<int, Spline> splines;
+    std::unordered_map<int, InterpolatingSpline> splines;
     std::set<int> floatingMarkers;
 };
 
@@ -38,7 +38,7 @@ public:
         : MarkerVocabulary(frames), m_find(find), m_context(context), m_use(use) {}
 
     std::optional<Operand> call(ProgramBuilder& builder, const Call& call) override;
-    const Spline* findSpline(int id) override;
+    const InterpolatingSpline* findSpline(int id) override;
     std::vector<std::string> getNames() const override;
     std::string findProblem(const ProgramBuilder& builder, Operand value) const override;
 

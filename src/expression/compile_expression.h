@@ -60,7 +60,7 @@ public:
     virtual std::optional<Operand> call(ProgramBuilder& builder, const Call& call) = 0;
 
     /// The spline of this id; null if there is none.
-    virtual const Spline* findSpline(int id) = 0;
+    virtual const InterpolatingSpline* findSpline(int id) = 0;
 
     /// The names that call() knows, in upper case, for suggestions.
     virtual std::vector<std::string> getNames() const = 0;

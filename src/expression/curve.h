@@ -23,15 +23,15 @@ public:
 /// The derivative of an order of a spline's y(x, z) with respect to x.
 class SplineCurve : public Curve {
 public:
-    SplineCurve(const Spline& spline, Spline::Method method, int order)
+    SplineCurve(const InterpolatingSpline& spline, InterpolatingSpline::Method method, int order)
         : m_spline(spline), m_method(method), m_order(order) {}
 
     SimTK::Real calcValue(SimTK::Real x, SimTK::Real z) const override;
     Partials calcPartials(SimTK::Real x, SimTK::Real z) const override;
 
 private:
-    Spline m_spline;
-    Spline::Method m_method;
+    InterpolatingSpline m_spline;
+    InterpolatingSpline::Method m_method;
     int m_order;
 };
 

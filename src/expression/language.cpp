@@ -58,7 +58,7 @@ Operand buildStepLike(const Context& c) {
 }
 
 // NAME(x, z, id, order)
-template <Spline::Method Method>
+template <InterpolatingSpline::Method Method>
 Operand buildSpline(const Context& c) {
     const int id = requireId(c.call, 2);
     const int order = c.call.arguments.size() > 3 ? requireId(c.call, 3) : 0;
@@ -66,7 +66,7 @@ Operand buildSpline(const Context& c) {
         throw ExpressionError(
             c.call.arguments[3].offset,
             fmt::format("the order of the derivative of {} is 0, 1 or 2, not {}", c.call.name, order));
-    const Spline* spline = c.vocabulary.findSpline(id);
+    const InterpolatingSpline* spline = c.vocabulary.findSpline(id);
     if (!spline) throw ExpressionError(c.call.arguments[2].offset, fmt::format("there is no SPLINE/{}", id));
     return c.builder.curve(std::make_shared<SplineCurve>(*spline, Method, order), c[0], c[1]);
 }
@@ -146,8 +146,8 @@ const Entry Entries[] = {
          const Operand angle = b.subtract(b.multiply(c[3], c.subtract(0, 1)), c.getOr(4, 0));
          return b.add(b.multiply(c[2], b.call(Function::Sin, angle)), c.getOr(5, 0));
      }},
-    {"AKISPL", 3, 4, buildSpline<Spline::Method::Akima>},
-    {"CUBSPL", 3, 4, buildSpline<Spline::Method::Cubic>},
+    {"AKISPL", 3, 4, buildSpline<InterpolatingSpline::Method::Akima>},
+    {"CUBSPL", 3, 4, buildSpline<InterpolatingSpline::Method::Cubic>},
     {"UV", 1, 1, buildDirection},
 };
 

@@ -99,9 +99,11 @@ Real calcCubic(Real y, Real m, Real b, Real a, Real t, int order) {
 
 }  // namespace
 
-Spline::Spline(const std::string& name, Reals x, Reals y) : Spline(name, std::move(x), {0}, {std::move(y)}) {}
+InterpolatingSpline::InterpolatingSpline(const std::string& name, Reals x, Reals y)
+    : InterpolatingSpline(name, std::move(x), {0}, {std::move(y)}) {}
 
-Spline::Spline(const std::string& name, Reals x, Reals z, const std::vector<Reals>& families)
+InterpolatingSpline::InterpolatingSpline(const std::string& name, Reals x, Reals z,
+                                         const std::vector<Reals>& families)
     : m_x(std::move(x)), m_z(std::move(z)) {
     if (m_x.size() < LeastPoints)
         throw Error(name, fmt::format("a spline needs at least {} points, not {}", LeastPoints, m_x.size()));
@@ -119,7 +121,7 @@ Spline::Spline(const std::string& name, Reals x, Reals z, const std::vector<Real
     }
 }
 
-Real Spline::calcOnCurve(const Curve& curve, Method method, Real x, int order) const {
+Real InterpolatingSpline::calcOnCurve(const Curve& curve, Method method, Real x, int order) const {
     const Reals& slopes = method == Method::Akima ? curve.akima : curve.cubic;
     if (x < m_x.front()) return calcCubic(curve.y.front(), slopes.front(), 0, 0, x - m_x.front(), order);
     if (x >= m_x.back()) return calcCubic(curve.y.back(), slopes.back(), 0, 0, x - m_x.back(), order);
@@ -131,7 +133,7 @@ Real Spline::calcOnCurve(const Curve& curve, Method method, Real x, int order) c
                      x - m_x[i], order);
 }
 
-Real Spline::calcDerivative(Method method, Real x, Real z, int order) const {
+Real InterpolatingSpline::calcDerivative(Method method, Real x, Real z, int order) const {
     if (m_z.size() == 1 || z <= m_z.front()) return calcOnCurve(m_curves.front(), method, x, order);
     if (z >= m_z.back()) return calcOnCurve(m_curves.back(), method, x, order);
     const std::size_t k = findInterval(m_z, z);
@@ -140,7 +142,7 @@ Real Spline::calcDerivative(Method method, Real x, Real z, int order) const {
            part * calcOnCurve(m_curves[k + 1], method, x, order);
 }
 
-Real Spline::calcSlopeInZ(Method method, Real x, Real z, int order) const {
+Real InterpolatingSpline::calcSlopeInZ(Method method, Real x, Real z, int order) const {
     if (m_z.size() == 1 || z < m_z.front() || z >= m_z.back()) return 0;
     const std::size_t k = findInterval(m_z, z);
     return (calcOnCurve(m_curves[k + 1], method, x, order) - calcOnCurve(m_curves[k], method, x, order)) /

@@ -55,7 +55,7 @@ public:
         return names;
     }
 
-    const Spline* findSpline(int id) override {
+    const InterpolatingSpline* findSpline(int id) override {
         const auto found = m_definitions.splines.find(id);
         return found == m_definitions.splines.end() ? nullptr : &found->second;
     }

@@ -19,7 +19,7 @@ public:
 
     std::optional<Operand> call(ProgramBuilder& builder, const Call& call) override;
     std::vector<std::string> getNames() const override;
-    const Spline* findSpline(int) override { return nullptr; }
+    const InterpolatingSpline* findSpline(int) override { return nullptr; }
 
 protected:
     MarkerFrames& updFrames() { return m_frames; }

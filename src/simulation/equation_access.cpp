@@ -75,18 +75,37 @@ void weighErrors(const Mechanism& mechanism, State& state) {
     mechanism.getSystem().realize(state, SimTK::Stage::Position);
 }
 
-// By the root of what one unit of each multiplier does along its equation.
-template <class CalcResponse>
-void multiplyScales(const Mechanism& mechanism, State& state, const CalcResponse& calcResponse) {
-    const std::vector<ConstraintEquation> equations = mechanism.findEquations(state);
-    std::vector<Real> factors;
+// What one unit of each multiplier does along its equation, as if its bodies hung on nothing.
+std::vector<Real> calcFreeResponses(const SimTK::SimbodyMatterSubsystem& matter, const State& state,
+                                    const std::vector<ConstraintEquation>& equations) {
+    std::vector<Real> responses;
+    SimTK::Vector multipliers(matter.getNMultipliers(state), Real(0)), onMobilities;
+    SimTK::Vector_<SimTK::SpatialVec> onBodies;
     for (const ConstraintEquation& equation : equations) {
-        const Real response = calcResponse(equation.multiplier);
-        factors.push_back(response > 0 ? std::exp2(std::round(-std::log2(response) / 2)) : 1);
+        multipliers[equation.multiplier] = 1;
+        matter.calcConstraintForcesFromMultipliers(state, multipliers, onBodies, onMobilities);
+        multipliers[equation.multiplier] = 0;
+        responses.push_back(calcFreeResponse(matter, state, onBodies, onMobilities));
     }
-    for (size_t k = 0; k < equations.size(); ++k)
-        if (equations[k].scale != 0)
-            EquationAccess(mechanism, equations[k]).setScale(state, factors[k] * equations[k].scale);
+    return responses;
+}
+
+// By the root of the responses, if they differ: where they do not, the load that redundant equations share stays that of
+// the least norm of forces and torques.
+void multiplyScales(const Mechanism& mechanism, State& state,
+                    const std::vector<ConstraintEquation>& equations, const std::vector<Real>& responses) {
+    constexpr Real Alike = 1e4;  // Simbody loses what is 1e12 times smaller
+    Real least = SimTK::Infinity, most = 0;
+    for (const Real response : responses) {
+        if (response > 0) least = std::min(least, response);
+        most = std::max(most, response);
+    }
+    if (most <= Alike * least) return;
+    for (size_t k = 0; k < equations.size(); ++k) {
+        if (!(responses[k] > 0) || equations[k].scale == 0) continue;
+        const Real factor = std::exp2(std::round(-std::log2(responses[k]) / 2));
+        EquationAccess(mechanism, equations[k]).setScale(state, factor * equations[k].scale);
+    }
     weighErrors(mechanism, state);
 }
 
@@ -96,21 +115,22 @@ void setEquationScales(const Mechanism& mechanism, State& state) {
     const auto& connections = mechanism.getConnections();
     if (std::any_of(connections.begin(), connections.end(), [](const Connection& c) { return c.inTree; }))
         return;
-    const SimTK::SimbodyMatterSubsystem& matter = mechanism.getMatter();
-    SimTK::Vector multipliers(matter.getNMultipliers(state), Real(0)), onMobilities;
-    SimTK::Vector_<SimTK::SpatialVec> onBodies;
-    multiplyScales(mechanism, state, [&](int equation) {
-        multipliers[equation] = 1;
-        matter.calcConstraintForcesFromMultipliers(state, multipliers, onBodies, onMobilities);
-        multipliers[equation] = 0;
-        return calcFreeResponse(matter, state, onBodies, onMobilities);
-    });
+    const std::vector<ConstraintEquation> equations = mechanism.findEquations(state);
+    multiplyScales(mechanism, state, equations, calcFreeResponses(mechanism.getMatter(), state, equations));
 }
 
+// What is left of an equation that a tree leaves nothing to do stays as small as it is.
 void setEquationScalesHere(const Mechanism& mechanism, State& state) {
-    SimTK::Matrix response;
-    mechanism.getMatter().calcProjectedMInv(state, response);
-    multiplyScales(mechanism, state, [&](int equation) { return response(equation, equation); });
+    constexpr Real Nothing = 1e-14;  // the square of a singular value that is in doubt
+    const std::vector<ConstraintEquation> equations = mechanism.findEquations(state);
+    std::vector<Real> responses = calcFreeResponses(mechanism.getMatter(), state, equations);
+    SimTK::Matrix inTree;
+    mechanism.getMatter().calcProjectedMInv(state, inTree);
+    for (size_t k = 0; k < equations.size(); ++k) {
+        const Real response = inTree(equations[k].multiplier, equations[k].multiplier);
+        if (response > Nothing * responses[k]) responses[k] = response;
+    }
+    multiplyScales(mechanism, state, equations, responses);
 }
 
 void resetEquationScales(const Mechanism& mechanism, State& state) {

@@ -24,15 +24,15 @@ private:
     int m_number;
 };
 
-/// Scales the equations in use such that each puts on its bodies, if they were free, a load for accelerations of one
-/// size: by the root of the mass that it moves. The diagonal of G M^-1 ~G is then about 1, and Simbody, which tells
-/// dependent equations by the size of all, does not lose those of heavy parts among those of light ones. By powers of 2,
-/// which cost no digit; tolerances keep their meaning. Not in a tree, where G says more of an equation than the bodies
-/// that it acts on. Requires Stage::Position and leaves it there.
+/// Where parts differ much, scales the equations in use such that each puts on its bodies, if they were free, a load for
+/// accelerations of one size: by the root of the mass that it moves. The diagonal of G M^-1 ~G is then about 1, and
+/// Simbody, which tells dependent equations by the size of all, does not lose those of heavy parts among those of light
+/// ones. By powers of 2, which cost no digit; tolerances keep their meaning. Not in a tree, where G says more of an
+/// equation than the bodies that it acts on. Requires Stage::Position and leaves it there.
 void setEquationScales(const Mechanism& mechanism, SimTK::State& state);
 
-/// The same by what the tree leaves of the equations, for this position only: the diagonal of G M^-1 ~G is about 1.
-/// Where nothing is free, an equation that hardly anything is left of counts all the same.
+/// The same by what the tree leaves of the equations, for this position only. Where nothing is free, an equation that
+/// hardly anything is left of counts all the same.
 void setEquationScalesHere(const Mechanism& mechanism, SimTK::State& state);
 
 /// Takes the scales away again, but not from equations that are dropped.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
 
 namespace jprim {
@@ -19,13 +20,44 @@ using SimTK::State;
 
 namespace {
 
-std::vector<int> selectRedundant(const ConstraintReport& report, DropChoice choice) {
-    std::vector<int> selected;
-    for (const RedundantEquation& redundant : report.redundant)
-        if (!redundant.onlyHere && (choice == DropChoice::Later || redundant.dependsOn.empty()))
-            selected.push_back(redundant.equation);
-    return selected;
-}
+/// What may be dropped, and why.
+class Selection {
+public:
+    Selection(const Mechanism& mechanism, const State& state, const ConstraintReport& report)
+        : m_report(report) {
+        const auto isOnlyHere = [](const RedundantEquation& redundant) { return redundant.onlyHere; };
+        if (std::any_of(report.redundant.begin(), report.redundant.end(), isOnlyHere))
+            findRoundingErrors(ScaledEquations(mechanism.getMatter(), report.equations, state), state);
+    }
+
+    std::vector<int> find(DropChoice choice) const {
+        std::vector<int> selected;
+        for (const RedundantEquation& redundant : m_report.redundant)
+            if (isEmpty(redundant) || (!redundant.onlyHere && choice == DropChoice::Later))
+                selected.push_back(redundant.equation);
+        return selected;
+    }
+
+private:
+    // Numbers that are rounded in a dataset leave something of equations that joints in a tree meet already, but as
+    // little a motion away as here; at a dead point there is more of them nearby.
+    void findRoundingErrors(const ScaledEquations& scaled, const State& state) {
+        constexpr double Doubtful = 1e-7, Away = 0.03;  // a row's length; rad, or of the mechanism's size
+        const Eigen::MatrixXd here = scaled.calcJacobian(state);
+        const Eigen::VectorXd y =
+            Away * Decomposition(here, Decomposition::Vectors::Both).calcRandomNullVector(1);
+        const Eigen::MatrixXd there =
+            scaled.calcJacobian(scaled.move(state, y.cwiseProduct(scaled.getColumnScale())));
+        m_isRounding = here.rowwise().norm().array() < Doubtful && there.rowwise().norm().array() < Doubtful;
+    }
+
+    bool isEmpty(const RedundantEquation& redundant) const {
+        return redundant.onlyHere ? m_isRounding[redundant.equation] : redundant.dependsOn.empty();
+    }
+
+    const ConstraintReport& m_report;
+    Eigen::Array<bool, Eigen::Dynamic, 1> m_isRounding;
+};
 
 // The last ones of an elimination that always takes next what is most independent of those before.
 std::vector<int> selectWeakest(const Mechanism& mechanism, const State& state,
@@ -34,7 +66,7 @@ std::vector<int> selectWeakest(const Mechanism& mechanism, const State& state,
         ScaledEquations(mechanism.getMatter(), report.equations, state).calcJacobian(state);
     const Eigen::VectorXi order =
         Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(A.transpose()).colsPermutation().indices();
-    const auto count = Eigen::Index(selectRedundant(report, DropChoice::Later).size());
+    const auto count = Eigen::Index(Selection(mechanism, state, report).find(DropChoice::Later).size());
     std::vector<int> selected(order.end() - count, order.end());
     std::sort(selected.begin(), selected.end());
     return selected;
@@ -46,9 +78,10 @@ DroppedEquations::DroppedEquations(const Mechanism& mechanism, State& state, Dro
     : m_mechanism(mechanism) {
     const ConstraintReport report =
         analyzeConstraints(mechanism.getMatter(), state, mechanism.getElementNames());
-    const std::vector<int> empty = selectRedundant(report, DropChoice::Empty);
-    for (const int k : choice == DropChoice::Weakest ? selectWeakest(mechanism, state, report)
-                                                     : selectRedundant(report, choice)) {
+    const Selection selection(mechanism, state, report);
+    const std::vector<int> empty = selection.find(DropChoice::Empty);
+    for (const int k :
+         choice == DropChoice::Weakest ? selectWeakest(mechanism, state, report) : selection.find(choice)) {
         const ConstraintEquation& equation = report.equations[size_t(k)];
         m_dropped.push_back({equation, std::count(empty.begin(), empty.end(), k) > 0, {mechanism, equation}});
         m_dropped.back().access.setScale(state, 0);

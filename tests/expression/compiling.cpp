@@ -27,8 +27,8 @@ Program compile(const std::string& text, InputVocabulary& vocabulary) {
 
 InputVocabulary::InputVocabulary() {
     const std::vector<Real> x{-1, 0, 0.5, 2, 3.5, 4}, y{2, 1.5, 3, -1, 0.3, 0.7}, y2{0, 1, -2, 0.4, 2, 1};
-    m_splines.emplace(7, Spline("SPLINE/7", x, y));
-    m_splines.emplace(8, Spline("SPLINE/8", x, {1, 3}, {y, y2}));
+    m_splines.emplace(7, InterpolatingSpline("SPLINE/7", x, y));
+    m_splines.emplace(8, InterpolatingSpline("SPLINE/8", x, {1, 3}, {y, y2}));
 }
 
 std::optional<Operand> InputVocabulary::call(ProgramBuilder& builder, const Call& call) {
@@ -56,7 +56,7 @@ std::optional<Operand> InputVocabulary::call(ProgramBuilder& builder, const Call
     return std::nullopt;
 }
 
-const Spline* InputVocabulary::findSpline(int id) {
+const InterpolatingSpline* InputVocabulary::findSpline(int id) {
     const auto found = m_splines.find(id);
     return found == m_splines.end() ? nullptr : &found->second;
 }

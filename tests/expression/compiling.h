@@ -22,7 +22,7 @@ public:
     InputVocabulary();
 
     std::optional<Operand> call(ProgramBuilder& builder, const Call& call) override;
-    const Spline* findSpline(int id) override;
+    const InterpolatingSpline* findSpline(int id) override;
     std::vector<std::string> getNames() const override;
 
     /// The numbers of the inputs used so far, by name.
@@ -30,7 +30,7 @@ public:
 
 private:
     std::map<std::string, Operand> m_operands;
-    std::map<int, Spline> m_splines;
+    std::map<int, InterpolatingSpline> m_splines;
 };
 
 /// An expression over the names of an InputVocabulary.

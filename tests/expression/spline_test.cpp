@@ -13,7 +13,7 @@ namespace {
 
 using SimTK::Real;
 using Reals = std::vector<Real>;
-using Method = Spline::Method;
+using Method = InterpolatingSpline::Method;
 
 const Reals X{-1, 0, 0.5, 2, 3.5, 4};
 const Reals Y{2, 1.5, 3, -1, 0.3, 0.7};
@@ -28,14 +28,14 @@ Reals tabulate(Real (*f)(Real), const Reals& x) {
 }
 
 TEST(Spline, PassesThroughItsPoints) {
-    const Spline spline("SPLINE/1", X, Y);
+    const InterpolatingSpline spline("SPLINE/1", X, Y);
     for (const Method method : {Method::Akima, Method::Cubic})
         for (std::size_t i = 0; i < X.size(); ++i)
             EXPECT_NEAR(spline.calcDerivative(method, X[i], 0, 0), Y[i], RoundingTolerance);
 }
 
 TEST(Spline, ReproducesAStraightLineEverywhere) {
-    const Spline spline("SPLINE/1", X, tabulate([](Real x) { return 3 - 2 * x; }, X));
+    const InterpolatingSpline spline("SPLINE/1", X, tabulate([](Real x) { return 3 - 2 * x; }, X));
     for (const Method method : {Method::Akima, Method::Cubic})
         for (const Real x : {-7.0, -0.3, 0.2, 1.9, 3.7, 9.0}) {
             EXPECT_NEAR(spline.calcDerivative(method, x, 0, 0), 3 - 2 * x, RoundingTolerance);
@@ -47,7 +47,7 @@ TEST(Spline, ReproducesAStraightLineEverywhere) {
 // With equal widths Akima's mean of neighbouring chords is a parabola's slope, also at the ends.
 TEST(Spline, AkimaReproducesAParabolaOnEqualWidths) {
     const Reals x{1, 1.5, 2, 2.5, 3, 3.5};
-    const Spline spline("SPLINE/1", x, tabulate([](Real v) { return v * v - 3 * v; }, x));
+    const InterpolatingSpline spline("SPLINE/1", x, tabulate([](Real v) { return v * v - 3 * v; }, x));
     for (const Real v : {1.1, 1.5, 2.2, 3.45}) {
         EXPECT_NEAR(spline.calcDerivative(Method::Akima, v, 0, 0), v * v - 3 * v, RoundingTolerance);
         EXPECT_NEAR(spline.calcDerivative(Method::Akima, v, 0, 1), 2 * v - 3, RoundingTolerance);
@@ -58,7 +58,7 @@ TEST(Spline, AkimaReproducesAParabolaOnEqualWidths) {
 // Chords 0 0 1 3 1: at x = 2 the weights |3 - 1| and |0 - 0| choose the left chord, at x = 3 they are
 // |1 - 3| = 2 and |1 - 0| = 1, so that the slope is (2*1 + 1*3)/3.
 TEST(Spline, AkimaWeighsChordsAsPublished) {
-    const Spline spline("SPLINE/1", {0, 1, 2, 3, 4, 5}, {0, 0, 0, 1, 4, 5});
+    const InterpolatingSpline spline("SPLINE/1", {0, 1, 2, 3, 4, 5}, {0, 0, 0, 1, 4, 5});
     EXPECT_NEAR(spline.calcDerivative(Method::Akima, 2, 0, 1), 0, RoundingTolerance);
     EXPECT_NEAR(spline.calcDerivative(Method::Akima, 3, 0, 1), 5.0 / 3, RoundingTolerance);
     // The straight part stays straight: that is what the method is for.
@@ -69,7 +69,7 @@ TEST(Spline, AkimaWeighsChordsAsPublished) {
 // With unit widths M[i-1] + 4 M[i] + M[i+1] = 6 (y[i-1] - 2 y[i] + y[i+1]) for the second derivatives M: here
 // 4 M1 + M2 = -12 and M1 + 4 M2 = 12.
 TEST(Spline, CubicAgreesWithAHandSolution) {
-    const Spline spline("SPLINE/1", {0, 1, 2, 3}, {0, 1, 0, 1});
+    const InterpolatingSpline spline("SPLINE/1", {0, 1, 2, 3}, {0, 1, 0, 1});
     EXPECT_NEAR(spline.calcDerivative(Method::Cubic, 1, 0, 2), -4, RoundingTolerance);
     EXPECT_NEAR(spline.calcDerivative(Method::Cubic, 2, 0, 2), 4, RoundingTolerance);
     EXPECT_NEAR(spline.calcDerivative(Method::Cubic, 0, 0, 2), 0, RoundingTolerance);
@@ -78,7 +78,7 @@ TEST(Spline, CubicAgreesWithAHandSolution) {
 }
 
 TEST(Spline, CurvesAreAsSmoothAsPromised) {
-    const Spline spline("SPLINE/1", X, Y);
+    const InterpolatingSpline spline("SPLINE/1", X, Y);
     constexpr Real gap = 1e-10, tolerance = 1e-7;  // of y'' up to 100 across the gap
     for (std::size_t i = 1; i + 1 < X.size(); ++i)
         for (const auto& [method, order] :
@@ -93,7 +93,7 @@ TEST(Spline, CurvesAreAsSmoothAsPromised) {
 }
 
 TEST(Spline, DerivativesAreThoseOfTheCurve) {
-    const Spline spline("SPLINE/1", X, {1, 3}, {Y, Y2});
+    const InterpolatingSpline spline("SPLINE/1", X, {1, 3}, {Y, Y2});
     constexpr Real h = 1e-4, tolerance = 1e-7;  // central differences of a cubic: h^2 y'''/6
     for (const Method method : {Method::Akima, Method::Cubic})
         for (const Real x : {-3.0, -0.4, 1.1, 3.7, 5.0})
@@ -110,9 +110,9 @@ TEST(Spline, DerivativesAreThoseOfTheCurve) {
 }
 
 TEST(Spline, FamiliesAreInterpolatedInZ) {
-    const Spline family("SPLINE/1", X, {1, 3}, {Y, Y2});
-    const Spline one("SPLINE/1", X, Y), two("SPLINE/1", X, Y2);
-    const auto value = [](const Spline& spline, Real z) {
+    const InterpolatingSpline family("SPLINE/1", X, {1, 3}, {Y, Y2});
+    const InterpolatingSpline one("SPLINE/1", X, Y), two("SPLINE/1", X, Y2);
+    const auto value = [](const InterpolatingSpline& spline, Real z) {
         return spline.calcDerivative(Method::Akima, 1.1, z, 0);
     };
     EXPECT_EQ(value(family, 1), value(one, 0));
@@ -124,7 +124,7 @@ TEST(Spline, FamiliesAreInterpolatedInZ) {
 }
 
 TEST(Spline, BeyondItsEndsItGoesOnStraight) {
-    const Spline spline("SPLINE/1", X, Y);
+    const InterpolatingSpline spline("SPLINE/1", X, Y);
     for (const Method method : {Method::Akima, Method::Cubic}) {
         const Real first = spline.calcDerivative(method, -1, 0, 1),
                    last = spline.calcDerivative(method, 4, 0, 1);
@@ -137,9 +137,11 @@ TEST(Spline, BeyondItsEndsItGoesOnStraight) {
 }
 
 TEST(Spline, BadDataAreRefused) {
-    const auto makeCurve = [](Reals x, Reals y) { return catchError([&] { Spline("SPLINE/7", x, y); }); };
+    const auto makeCurve = [](Reals x, Reals y) {
+        return catchError([&] { InterpolatingSpline("SPLINE/7", x, y); });
+    };
     const auto makeFamily = [](Reals z, std::vector<Reals> y) {
-        return catchError([&] { Spline("SPLINE/7", X, z, y); });
+        return catchError([&] { InterpolatingSpline("SPLINE/7", X, z, y); });
     };
     EXPECT_EQ(makeCurve({1, 2, 3}, {1, 2, 3}), "SPLINE/7: a spline needs at least 4 points, not 3");
     EXPECT_EQ(makeCurve({1, 2, 2, 3}, {1, 2, 3, 4}),

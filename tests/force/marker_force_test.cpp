@@ -133,7 +133,7 @@ TEST(MarkerForce, MistakesAreExplained) {
               "forces are");
     EXPECT_EQ(
         catchError([&] { MarkerForce(forces, Marker(), std::nullopt, ForceLaw(), "SFORCE/4"); }),
-        "SFORCE/4: a marker is not on a body; construct it with a MobilizedBody that has been added to a matter "
+        "SFORCE/4: marker I is not on a body; construct it with a MobilizedBody that has been added to a matter "
         "subsystem");
     EXPECT_EQ(catchError([&] {
                   ExpressionMeasure(forces, Expression("UVX(1)", {{1, G}}));

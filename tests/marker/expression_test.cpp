@@ -115,15 +115,15 @@ TEST(Expression, RefusesToBeWhatItIsNot) {
 TEST(Expression, HasSplinesAndVariablesOfTheProgram) {
     const Model m;
     ExpressionDefinitions definitions;
-    definitions.splines.emplace(7, Spline("SPLINE/7", {-2, -1, 0, 1, 2}, {4, 1, 0, 1, 4}));
+    definitions.splines.emplace(7, InterpolatingSpline("SPLINE/7", {-2, -1, 0, 1, 2}, {4, 1, 0, 1, 4}));
     definitions.variables = {{1, "DM(1,2)"}, {2, "VARVAL(1)**2+AKISPL(TIME,0,7)"}};
     const Real distance = m.make("DM(1,2)").calcValue(m.state);
-    const Spline& spline = definitions.splines.at(7);
-    const Real onSpline = spline.calcDerivative(Spline::Method::Akima, 0.35, 0, 0);
+    const InterpolatingSpline& spline = definitions.splines.at(7);
+    const Real onSpline = spline.calcDerivative(InterpolatingSpline::Method::Akima, 0.35, 0, 0);
     EXPECT_NEAR(m.make("VARVAL(2)", definitions).calcValue(m.state), distance * distance + onSpline,
                 Rounding);
     EXPECT_NEAR(m.make("CUBSPL(TIME,0,7,1)", definitions).calcValue(m.state),
-                spline.calcDerivative(Spline::Method::Cubic, 0.35, 0, 1), Rounding);
+                spline.calcDerivative(InterpolatingSpline::Method::Cubic, 0.35, 0, 1), Rounding);
 }
 
 // x^2 z + 3 x with its derivatives.

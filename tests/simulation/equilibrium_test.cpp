@@ -56,6 +56,36 @@ TEST(Equilibrium, ADoublePendulumHangsDown) {
     EXPECT_NEAR(center[1], elbow[1] - std::hypot(0.002, 0.2), Exact);
 }
 
+// Thin rods hang by balls, free to spin about themselves and given in any direction: all come to hang straight down,
+// however little resists a spin.
+TEST(Equilibrium, AChainOfRodsThatMaySpinHangsDown) {
+    for (const Formulation formulation : {Formulation::Tree, Formulation::Constraints})
+        for (const double slender : {0.1, 1e-6}) {
+            std::string text = "chain\nACCGRAV/IGRAV=3,JGRAV=-9,KGRAV=2\nPART/1,GROUND\nMARKER/3,PART=1\n";
+            Vec3 top(0);
+            double length = 0;
+            for (int k = 1; k <= 4; ++k) {
+                const double L = 0.3 + 0.1 * k, mass = 2.7 / k, moment = mass * L * L / 12;
+                const SimTK::Rotation R(SimTK::BodyRotationSequence, 0.9 * k, SimTK::ZAxis, 0.4 + 0.3 * k,
+                                        SimTK::XAxis, 0.7, SimTK::ZAxis);
+                text += fmt::format(
+                    "PART/{0}0,MASS={1},IP={2},{3},{3},CM={0}1,QG={4},{5},{6},REULER={7},{8},0.7\n", k, mass,
+                    slender * moment, moment, top[0], top[1], top[2], 0.9 * k, 0.4 + 0.3 * k);
+                text +=
+                    fmt::format("MARKER/{0}1,QP={1},0,0\nMARKER/{0}2\nMARKER/{0}3,QP={2},0,0\n", k, L / 2, L);
+                text +=
+                    fmt::format("JPRIM/{},ATPOINT,I={}2,J={}3\n", k, k, k == 1 ? "" : std::to_string(k - 1));
+                top += R * Vec3(L, 0, 0);
+                length += L;
+            }
+            const Mechanism mechanism = testing::buildOrFail(text + "END\n", {formulation});
+            const State state = findFrom(mechanism);
+            const Vec3 end = mechanism.getMarker(43).findPoseInGround(state).p();
+            EXPECT_LT((end - length * Vec3(3, -9, 2).normalize()).norm(), length * Exact)
+                << int(formulation) << slender;
+        }
+}
+
 // A body on a bushing sags by m g/k; in millimetres and milliseconds the number is 1000 times as large.
 TEST(Equilibrium, UnitsDoNotMatter) {
     const auto findSag = [](const char* units, double L, double T) {

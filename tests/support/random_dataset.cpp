@@ -57,18 +57,20 @@ void RandomDataset::addPart() {
     const int id = int(m_poses.size()) + 1;
     m_poses.push_back(drawPose());
     const double a = draw(0.1, 0.2), b = draw(0.1, 0.2), c = draw(0.1, 0.2);  // moments of three rods
-    m_text += fmt::format("PART/{},MASS={},IP={},{},{},CM={},QG={},REULER={}", id, draw(0.5, 3), a + b, b + c,
-                          c + a, m_lastMarker + 1, format(m_poses.back().p()),
+    const double unit = m_length * m_length * drawFactor(m_spread.inertiaDecades), L = m_length;
+    const double mass = draw(0.5, 3) * drawFactor(m_spread.massDecades);
+    m_text += fmt::format("PART/{},MASS={},IP={},{},{},CM={},QG={},REULER={}", id, mass, (a + b) * unit,
+                          (b + c) * unit, (c + a) * unit, m_lastMarker + 1, format(L * m_poses.back().p()),
                           format(calcAngles313(m_poses.back().R())));
-    if (choose(3) == 0) m_text += fmt::format(",VX={},VZ={}", draw(-1, 1), draw(-1, 1));
-    if (choose(3) == 0) m_text += fmt::format(",WY={},VY={}", draw(-2, 2), draw(-1, 1));
+    if (choose(3) == 0) m_text += fmt::format(",VX={},VZ={}", L * draw(-1, 1), L * draw(-1, 1));
+    if (choose(3) == 0) m_text += fmt::format(",WY={},VY={}", draw(-2, 2), L * draw(-1, 1));
     m_text += "\n";
     m_centers.push_back(addMarker(id, Transform(drawRotation(), 0.3 * drawVec3())));
 }
 
 int RandomDataset::addMarker(int part, const Transform& X_PM) {
-    m_text += fmt::format("MARKER/{},PART={},QP={},REULER={}\n", ++m_lastMarker, part, format(X_PM.p()),
-                          format(calcAngles313(X_PM.R())));
+    m_text += fmt::format("MARKER/{},PART={},QP={},REULER={}\n", ++m_lastMarker, part,
+                          format(m_length * X_PM.p()), format(calcAngles313(X_PM.R())));
     return m_lastMarker;
 }
 
@@ -80,8 +82,8 @@ void RandomDataset::addJoint(const Joint& joint, int partI, int partJ) {
         m_text += fmt::format("JOINT/{},{},I={},J={}\n", ++m_lastElement, joint.name, i, j);
         const std::string type = joint.name;
         if (choose(4) == 0 && (type == "REVOLUTE" || type == "TRANSLATIONAL"))
-            m_text += fmt::format("MOTION/{0},JOINT={0},VELOCITY,FUNCTION={1}+SIN(TIME)\n", m_lastElement,
-                                  draw(-1, 1));
+            m_text += fmt::format("MOTION/{0},JOINT={0},VELOCITY,FUNCTION={2}*({1}+SIN(TIME))\n",
+                                  m_lastElement, draw(-1, 1), type == "REVOLUTE" ? 1 : m_length);
         if (m_isDoubling)
             for (int k = choose(3); k > 0; --k)
                 addDouble(joint, partI, partJ, X_GI, m_poses[size_t(partJ) - 1] * X_PJ);
@@ -121,7 +123,8 @@ void RandomDataset::addDistance(int partI, int partJ) {
     const Vec3 onI = drawVec3(), onJ = drawVec3();
     const int i = addMarker(partI, onI), j = addMarker(partJ, onJ);
     const Vec3 r = m_poses[size_t(partI) - 1] * onI - m_poses[size_t(partJ) - 1] * onJ;
-    m_text += fmt::format("GCON/{0},I={1},FUNCTION=DM({1},{2})-{3}\n", ++m_lastElement, i, j, r.norm());
+    m_text +=
+        fmt::format("GCON/{0},I={1},FUNCTION=DM({1},{2})-{3}\n", ++m_lastElement, i, j, m_length * r.norm());
 }
 
 // Of the last two markers, relative to each other and in the axes of another; and all loads on the first centre.
@@ -175,10 +178,13 @@ void RandomDataset::writeMechanism(int parts, int loops) {
                             {nullptr, {"PERPENDICULAR"}, Turn::CrossedZ, all}};
     const int numJoints = int(std::size(joints)), firstForLoops = 7;
 
-    m_text = "random\nPART/1,GROUND\n";
+    m_text = "random\n";
+    if (m_spread.inMillimetres) m_text += "UNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\n";
+    m_text += "PART/1,GROUND\n";
     m_poses = {Transform()};
     m_centers.clear();
-    m_text += fmt::format("ACCGRAV/IGRAV={},JGRAV={},KGRAV={}\n", draw(-9, 9), draw(-9, 9), draw(-9, 9));
+    m_text += fmt::format("ACCGRAV/IGRAV={},JGRAV={},KGRAV={}\n", m_length * draw(-9, 9),
+                          m_length * draw(-9, 9), m_length * draw(-9, 9));
     for (int part = 2; part < parts + 2; ++part) {
         addPart();
         const int other = choose(part - 1) + 1;

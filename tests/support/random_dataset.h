@@ -2,6 +2,7 @@
 #ifndef JPRIM_TESTS_SUPPORT_RANDOM_DATASET_H_
 #define JPRIM_TESTS_SUPPORT_RANDOM_DATASET_H_
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <string>
@@ -17,11 +18,19 @@ struct DoubledDataset {
     std::map<int, std::vector<int>> doubles;  // JOINT ids: each one's doubles
 };
 
+/// Over how many decades masses and moments of inertia go, about 1 kg and 0.2 kg m^2, and the dataset's unit of length.
+struct Spread {
+    double massDecades = 0;
+    double inertiaDecades = 0;
+    bool inMillimetres = false;
+};
+
 /// Writes datasets of parts that are joined at random: first a tree of joints, then joints that close loops. Parts
-/// lie anywhere in any orientation; the markers of a joint are placed so that it fits. In SI, sizes of order 1.
+/// lie anywhere in any orientation; the markers of a joint are placed so that it fits. Sizes are of order 1 m.
 class RandomDataset {
 public:
-    explicit RandomDataset(unsigned seed) : m_random(seed) {}
+    explicit RandomDataset(unsigned seed, const Spread& spread = {})
+        : m_spread(spread), m_length(spread.inMillimetres ? 1000 : 1), m_random(seed) {}
 
     /// @param parts  besides ground
     /// @param loops  joints more than a tree needs
@@ -50,6 +59,12 @@ private:
     void addForces();
     void addRequests();
 
+    double drawFactor(double decades) {
+        return decades > 0 ? std::pow(10, draw(-decades / 2, decades / 2)) : 1;
+    }
+
+    Spread m_spread;
+    double m_length;  // the dataset's units of length in a metre
     std::mt19937 m_random;
     std::string m_text;
     std::string m_doublesText;

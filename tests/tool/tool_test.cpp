@@ -46,7 +46,8 @@ TEST_F(Tool, RunWritesThreeFilesAndASummary) {
     // At least fifteen digits: the last time and one coordinate.
     const std::string last = requests.substr(requests.rfind('\n', requests.size() - 2) + 1);
     EXPECT_EQ(last.substr(0, 2), "1,");
-    EXPECT_GE(last.substr(2, last.find(',', 2) - 2).size(), 15u) << last;
+    const size_t x = last.find(',', 2) + 1;  // of the magnitude all digits may be zeros
+    EXPECT_GE(last.substr(x, last.find(',', x) - x).size(), 15u) << last;
     const std::string reactions = readFile(m_folder / "results/reactions.csv");
     EXPECT_EQ(
         reactions.substr(0, reactions.find('\n')),

@@ -20,7 +20,7 @@ namespace jprim {
 /// Between two curves of a family y is linear in z. Beyond the first and last x a curve goes on along its
 /// tangent; beyond the first and last z the nearest curve counts. Adams' manual does not state its rules
 /// there: these are ours.
-class Spline {
+class InterpolatingSpline {
 public:
     enum class Method { Akima, Cubic };
 
@@ -29,14 +29,14 @@ public:
     /// @param x     at least 4 abscissae, strictly increasing
     /// @param y     as many values
     /// @throws Error for other data
-    Spline(const std::string& name, std::vector<SimTK::Real> x, std::vector<SimTK::Real> y);
+    InterpolatingSpline(const std::string& name, std::vector<SimTK::Real> x, std::vector<SimTK::Real> y);
 
     /// A family of curves with the same abscissae.
     /// @param z         at least one parameter, strictly increasing
     /// @param families  for each parameter as many values as there are abscissae
     /// @throws Error for other data
-    Spline(const std::string& name, std::vector<SimTK::Real> x, std::vector<SimTK::Real> z,
-           const std::vector<std::vector<SimTK::Real>>& families);
+    InterpolatingSpline(const std::string& name, std::vector<SimTK::Real> x, std::vector<SimTK::Real> z,
+                        const std::vector<std::vector<SimTK::Real>>& families);
 
     /// The derivative of this order (0 to 4) with respect to x. Where it jumps, at a point: the one to the
     /// right.

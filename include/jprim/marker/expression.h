@@ -16,7 +16,7 @@ class MarkerExpression;
 
 /// What an expression may name besides markers.
 struct ExpressionDefinitions {
-    std::map<int, Spline> splines;  ///< of AKISPL(x, z, id, order) and CUBSPL(x, z, id, order)
+    std::map<int, InterpolatingSpline> splines;  ///< of AKISPL(x, z, id, order) and CUBSPL(x, z, id, order)
     std::map<int, std::string>
         variables;  ///< of VARVAL(id): the text of an expression that stands in its place
     /// Functions of one or two numbers, called by their names: {"K", f} lets K(DM(1,2)) stand in the text. Equations
