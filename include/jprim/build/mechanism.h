@@ -201,7 +201,8 @@ public:
 
 private:
     friend class MechanismBuilder;
-    friend std::optional<Mechanism> buildMechanism(const Dataset&, Diagnostics&, const BuildOptions&);
+    friend std::optional<Mechanism> buildMechanism(const Dataset& dataset, Diagnostics& diagnostics,
+                                                   const BuildOptions& options);
 
     struct Bodies {
         SimTK::MultibodySystem system;
