@@ -53,4 +53,9 @@ VectorXd RankedRows::solve(const VectorXd& b) const {
     return m_Q.leftCols(m_L.cols()) * m_L.colPivHouseholderQr().solve(b);
 }
 
+VectorXd RankedRows::solveTransposed(const VectorXd& f) const {
+    if (m_L.cols() == 0) return VectorXd::Zero(m_L.rows());
+    return m_L.transpose().completeOrthogonalDecomposition().solve(m_Q.leftCols(m_L.cols()).transpose() * f);
+}
+
 }  // namespace jprim

@@ -92,12 +92,10 @@ private:
     void linearize() {
         const VectorXd f = calcForces(m_state);
         const SpeedEquations equations(m_mechanism, m_state);
-        const MatrixXd& G = equations.getG();
-        m_Z = RankedRows(G).calcNullSpace();
+        const RankedRows rows(equations.getG());
+        m_Z = rows.calcNullSpace();
         m_r = m_Z.transpose() * f;
-        const VectorXd lambda =
-            G.rows() > 0 ? equations.unscale(-G.transpose().completeOrthogonalDecomposition().solve(f))
-                         : VectorXd();
+        const VectorXd lambda = equations.unscale(-rows.solveTransposed(f));
         m_M.resize(m_Z.cols(), m_Z.cols());
         m_K.resize(m_Z.cols(), m_Z.cols());
         MatrixXd turns(3 * Eigen::Index(m_mechanism.getParts().size()), m_Z.cols());
