@@ -15,7 +15,6 @@ using SimTK::State;
 
 namespace {
 
-constexpr double SmallestDamping = 1e-13;
 constexpr double LongestStep = 0.3;  // of a scaled motion's entries: about radians, or sizes of the mechanism
 
 double calcLargest(const VectorXd& v) {
@@ -23,7 +22,7 @@ double calcLargest(const VectorXd& v) {
 }
 
 VectorXd calcStep(const MatrixXd& A, const MatrixXd& AAt, const VectorXd& errors, double mu) {
-    const MatrixXd regular = AAt + std::max(mu, SmallestDamping) * MatrixXd::Identity(A.rows(), A.rows());
+    const MatrixXd regular = AAt + mu * MatrixXd::Identity(A.rows(), A.rows());
     const VectorXd y = -A.transpose() * regular.ldlt().solve(errors);
     return y * std::min(1., LongestStep / std::max(calcLargest(y), SimTK::TinyReal));
 }
@@ -32,12 +31,12 @@ VectorXd calcStep(const MatrixXd& A, const MatrixXd& AAt, const VectorXd& errors
 bool descend(const ScaledEquations& equations, double& damping, ErrorMinimum& minimum) {
     constexpr double Stationary = 1e-10, LargestDamping = 1e6, Factor = 10;
     const MatrixXd A = equations.calcJacobian(minimum.state);
-    const double size = minimum.errors.norm();
+    const double size = minimum.errors.norm(), least = calcLeastDamping(size);
     if ((A.transpose() * minimum.errors).norm() <= Stationary * size) return false;
     const MatrixXd AAt = A * A.transpose();
     for (; damping < LargestDamping; damping *= Factor) {
-        const VectorXd u =
-            equations.getColumnScale().cwiseProduct(calcStep(A, AAt, minimum.errors, damping * size));
+        const VectorXd u = equations.getColumnScale().cwiseProduct(
+            calcStep(A, AAt, minimum.errors, std::max(damping * size, least)));
         const State trial = equations.move(minimum.state, u);
         const VectorXd errors = equations.calcErrors(trial);
         if (!(errors.norm() < size)) continue;
@@ -50,9 +49,14 @@ bool descend(const ScaledEquations& equations, double& damping, ErrorMinimum& mi
 
 }  // namespace
 
-bool ErrorMinimum::isMet() const {
+double calcLeastDamping(double size) {
+    constexpr double Hardly = 30, Smallest = 1e-13, Largest = 1e-6;
+    return std::clamp(Hardly * size * Hardly * size, Smallest, Largest);
+}
+
+bool ErrorMinimum::isMet(double uncertainty) const {
     constexpr double Rounding = 1e-11;
-    return calcLargest(errors) < Rounding;
+    return calcLargest(errors) < std::max(Rounding, uncertainty);
 }
 
 ErrorMinimum minimizeErrors(const ScaledEquations& equations, const State& start, int mostSteps) {

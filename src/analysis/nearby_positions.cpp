@@ -45,7 +45,7 @@ MatrixXd calcObstruction(const ScaledEquations& scaled, const State& state, cons
 }  // namespace
 
 NearbyPosition findNearbyPosition(const SimbodyMatterSubsystem& matter, const ScaledEquations& scaled,
-                                  const State& state, const Decomposition& here) {
+                                  const State& state, const Decomposition& here, double uncertainty) {
     constexpr unsigned NumTries = 3;
     constexpr int MostSteps = 40;
     const MatrixXd A = scaled.calcJacobian(state);
@@ -56,7 +56,7 @@ NearbyPosition findNearbyPosition(const SimbodyMatterSubsystem& matter, const Sc
     for (unsigned seed = 1; seed <= NumTries; ++seed) {
         const VectorXd away = Step * here.calcRandomNullVector(seed).cwiseProduct(scaled.getColumnScale());
         const ErrorMinimum back = minimizeErrors(holonomic, scaled.move(state, away), MostSteps);
-        if (!back.isMet()) continue;
+        if (!back.isMet(uncertainty)) continue;
         const VectorXd motion = (away + back.displacement).cwiseQuotient(scaled.getColumnScale());
         const std::vector<int> nowImmobile = findImmobileBlocks(here, motion);
         if (found && nowImmobile.size() >= immobile.size()) continue;

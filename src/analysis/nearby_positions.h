@@ -22,8 +22,10 @@ struct NearbyPosition {
 /// leads nowhere. If no try comes back on the constraints, the position itself is returned.
 /// @param state  admissible
 /// @param here   the scaled Jacobian's Decomposition there, with vectors
+/// @param uncertainty  up to which positions are admissible
 NearbyPosition findNearbyPosition(const SimTK::SimbodyMatterSubsystem& matter, const ScaledEquations& scaled,
-                                  const SimTK::State& state, const Decomposition& here);
+                                  const SimTK::State& state, const Decomposition& here,
+                                  double uncertainty = 0);
 
 }  // namespace jprim
 

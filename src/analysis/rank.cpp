@@ -57,7 +57,7 @@ std::vector<Block> findBlocks(const MatrixXd& A) {
 }
 
 //------------------------------------------------------------------------------------------ rank
-RankDecision decideRank(const std::vector<double>& values) {
+RankDecision decideRank(const std::vector<double>& values, double uncertainty) {
     // Between these a value counts or not depending on its neighbours. The square root of Zero is thus the
     // size at which a value that stands alone is in doubt: halfway between 1 and what rounding leaves.
     constexpr double Ordinary = 1, AlwaysKept = 1e-4, Zero = 1e-14;
@@ -65,16 +65,16 @@ RankDecision decideRank(const std::vector<double>& values) {
     double widest = 0;
     for (size_t r = 0; r <= values.size(); ++r) {
         const double kept = r > 0 ? values[r - 1] : Ordinary, dropped = r < values.size() ? values[r] : 0;
-        if (kept <= Zero) break;
-        const double ratio = kept / std::max(dropped, Zero);
-        if (dropped > AlwaysKept || ratio <= widest) continue;
+        if (kept <= std::max(Zero, uncertainty)) break;
+        const double ratio = kept / (dropped > uncertainty ? std::max(dropped, Zero) : Zero);
+        if (dropped > std::max(AlwaysKept, uncertainty) || ratio <= widest) continue;
         widest = ratio;
         decision = {int(r), r > 0 ? kept : 0, dropped};
     }
     return decision;
 }
 
-Decomposition::Decomposition(const MatrixXd& A, Vectors vectors)
+Decomposition::Decomposition(const MatrixXd& A, Vectors vectors, double uncertainty)
     : m_numRows(int(A.rows())), m_numColumns(int(A.cols())), m_blocks(findBlocks(A)) {
     std::vector<double> all;
     for (const Block& block : m_blocks) {
@@ -92,14 +92,16 @@ Decomposition::Decomposition(const MatrixXd& A, Vectors vectors)
         m_rightNull.push_back(vectors == Vectors::Both ? svd.matrixV() : MatrixXd());
     }
     std::sort(all.begin(), all.end(), std::greater<>());
-    m_decision = decideRank(all);
+    m_decision = decideRank(all, uncertainty);
     if (vectors == Vectors::Both) keepNullSpaces();
 }
 
 void Decomposition::keepNullSpaces() {
     for (size_t b = 0; b < m_blocks.size(); ++b) {
         const VectorXd& values = m_values[b];
-        const auto isKept = [this](double value) { return value >= m_decision.smallestKept; };
+        const auto isKept = [this](double value) {
+            return m_decision.rank > 0 && value >= m_decision.smallestKept;
+        };
         const auto rank = std::count_if(values.begin(), values.end(), isKept);
         m_leftNull[b] = MatrixXd(m_leftNull[b].rightCols(m_leftNull[b].cols() - rank));
         m_rightNull[b] = MatrixXd(m_rightNull[b].rightCols(m_rightNull[b].cols() - rank));
@@ -145,13 +147,14 @@ VectorXd Decomposition::calcRandomNullVector(unsigned seed) const {
 // left over are not all zero is the last of some vanishing combination of rows, so it depends on those before
 // it. A reflection leaves one column with an entry there. In the end the columns are cleared of each other's
 // rows, and each reads: this row plus independent ones is zero.
-std::vector<DependentRow> findDependentRows(MatrixXd N) {
-    constexpr double Negligible = 1e-6;  // entries of unit vectors that are zero but for errors
+std::vector<DependentRow> findDependentRows(MatrixXd N, double uncertainty) {
+    constexpr double Errors = 1e-6;
+    const double negligible = std::max(Errors, uncertainty);  // entries of unit vectors
     std::vector<DependentRow> dependent;
     int left = int(N.cols());
     for (int row = int(N.rows()) - 1; row >= 0 && left > 0; --row) {
         const VectorXd entries = N.row(row).head(left);
-        if (entries.norm() < Negligible) continue;
+        if (entries.norm() < negligible) continue;
         VectorXd normal = entries;
         normal[left - 1] += std::copysign(entries.norm(), entries[left - 1]);
         normal.normalize();
@@ -172,7 +175,7 @@ std::vector<DependentRow> findDependentRows(MatrixXd N) {
         }
         const double largest = N.col(k).lpNorm<Eigen::Infinity>();
         for (int i = 0; i < dependent[size_t(k)].row; ++i)
-            if (std::abs(N(i, k)) > Negligible * largest) dependent[size_t(k)].on.push_back(i);
+            if (std::abs(N(i, k)) > negligible * largest) dependent[size_t(k)].on.push_back(i);
     }
     return dependent;
 }

@@ -22,14 +22,16 @@ struct RankDecision {
     double largestDropped = 0;  ///< 0 if none is
 };
 /// Cuts where the ratio of a singular value to the next is largest; before the first stands 1, the size of an equation
-/// that does something. @param values  in descending order
-RankDecision decideRank(const std::vector<double>& values);
+/// that does something.
+/// @param values       in descending order
+/// @param uncertainty  up to which they are zero; 0: up to rounding
+RankDecision decideRank(const std::vector<double>& values, double uncertainty = 0);
 
 /// Singular values and null spaces of a matrix, found block by block.
 class Decomposition {
 public:
     enum class Vectors { None, Both };
-    Decomposition(const Eigen::MatrixXd& A, Vectors vectors);
+    Decomposition(const Eigen::MatrixXd& A, Vectors vectors, double uncertainty = 0);
 
     const RankDecision& getDecision() const { return m_decision; }
     int getRank() const { return m_decision.rank; }
@@ -63,7 +65,8 @@ struct DependentRow {
 
 /// From an orthonormal basis of the left null space: which rows depend on rows before them and are not needed,
 /// and each one's unique combination of those that are. Rows ascend.
-std::vector<DependentRow> findDependentRows(Eigen::MatrixXd leftNullSpace);
+/// @param uncertainty  of the basis's entries; 0: rounding
+std::vector<DependentRow> findDependentRows(Eigen::MatrixXd leftNullSpace, double uncertainty = 0);
 
 }  // namespace jprim
 

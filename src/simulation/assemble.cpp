@@ -8,6 +8,7 @@
 
 #include "jprim/analysis/constraint_report.h"
 #include "simulation/assembly_conditions.h"
+#include "simulation/equation_access.h"
 #include "simulation/find_positions.h"
 #include "simulation/initial_velocities.h"
 #include "simulation/violation.h"
@@ -31,12 +32,11 @@ bool isViolated(const Violation& violation) {
 
 // In a tree a chain that has to close far away is a bad place to search from. So its positions are sought with all
 // parts free, where joints in the tree are equations like others, and then taken over.
-std::vector<MissedCoordinate> findPositionsFreely(const Mechanism& mechanism, const AssemblyAim& aim,
-                                                  State& state) {
+FoundPositions findPositionsFreely(const Mechanism& mechanism, const AssemblyAim& aim, State& state) {
     const std::optional<Mechanism> free = mechanism.makeWithFreeParts();
     if (!free) return findPositions(mechanism, aim, state);
     State found = free->makeGivenState();
-    const std::vector<MissedCoordinate> yielded = findPositions(*free, aim, found);
+    const FoundPositions positions = findPositions(*free, aim, found);
     std::vector<Transform> poses;
     for (size_t k = 0; k < free->getParts().size(); ++k) {
         const MechanismPart& part = free->getParts()[k];
@@ -46,7 +46,9 @@ std::vector<MissedCoordinate> findPositionsFreely(const Mechanism& mechanism, co
                                                                   part.flexible->getModalCoordinates(found));
     }
     mechanism.fitPoses(poses, state);
-    return yielded;
+    mechanism.getSystem().realize(state, Stage::Position);
+    if (positions.leftOut.empty() && !isViolated(calcViolation(mechanism, state))) return positions;
+    return findPositions(mechanism, aim, state);  // without equations of its own
 }
 
 // Equations that agree on positions may contradict each other on velocities, as two MOTIONs of one joint. Names the
@@ -69,22 +71,66 @@ void checkVelocities(const Mechanism& mechanism, State& state) {
                                 worst));
 }
 
+AssemblyAim aimAtPresent(const Mechanism& mechanism, const State& state) {
+    AssemblyAim aim{{}, false};
+    for (const MechanismPart& part : mechanism.getParts())
+        aim.poses.push_back(part.body.getBodyTransform(state));
+    return aim;
+}
+
+void leaveOut(const Mechanism& mechanism, const FoundPositions& found, AssembledState& result) {
+    result.leftOut.insert(result.leftOut.end(), found.leftOut.begin(), found.leftOut.end());
+    mechanism.getSystem().realize(result.state, Stage::Position);
+}
+
+// Equations that were left out before may be needed now.
+void takeBack(const Mechanism& mechanism, State& state) {
+    mechanism.getSystem().realize(state, Stage::Instance);
+    for (const ConstraintEquation& equation : mechanism.findEquations(state))
+        if (equation.scale == 0) EquationAccess(mechanism, equation).setScale(state, 1);
+}
+
+bool hasNothingToProject(const Mechanism& mechanism, const State& state) {
+    return countFreedoms(mechanism.getMatter(), state).hasOnlyEmptyHolonomic;
+}
+
+// Onto the equations to rounding. What was rounded in a dataset may contradict itself by less than AssemblyTolerance.
+void settlePositions(const Mechanism& mechanism, AssembledState& result) {
+    if (hasNothingToProject(mechanism, result.state)) return;
+    const SimTK::MultibodySystem& system = mechanism.getSystem();
+    const State found = result.state;
+    try {
+        system.projectQ(result.state, ProjectionTolerance);
+        return;
+    } catch (const std::exception&) {
+        result.state = found;
+        system.realize(result.state, Stage::Position);
+    }
+    AssemblyAim aim = aimAtPresent(mechanism, result.state);
+    aim.tolerance = ProjectionTolerance;
+    try {
+        leaveOut(mechanism, findPositions(mechanism, aim, result.state), result);
+    } catch (const AssemblyError&) {
+        result.state = found;
+        system.realize(result.state, Stage::Position);
+        if (isViolated(calcViolation(mechanism, result.state))) throw;
+    }
+}
+
 void finish(const Mechanism& mechanism, AssembledState& result) {
     const SimTK::MultibodySystem& system = mechanism.getSystem();
     system.realize(result.state, Stage::Velocity);
     const State found = result.state;
     try {
-        if (!countFreedoms(mechanism.getMatter(), result.state).hasOnlyEmptyHolonomic)
-            system.project(result.state, ProjectionTolerance);
+        if (!hasNothingToProject(mechanism, result.state)) system.projectU(result.state, ProjectionTolerance);
     } catch (const std::exception&) {
         checkVelocities(mechanism, result.state);
-        result.state =
-            found;  // dependent equations may contradict each other by the last digits of a dataset
-        system.realize(result.state, Stage::Velocity);
-        if (isViolated(calcViolation(mechanism, result.state))) throw;
+        result.state = found;
     }
     system.realize(result.state, Stage::Velocity);
     result.after = calcViolation(mechanism, result.state);
+    for (const ConstraintEquation& equation : result.leftOut)
+        keepWorst(result.after, equation, EquationAccess(mechanism, equation).calcError(result.state));
 }
 
 }  // namespace
@@ -103,9 +149,11 @@ AssembledState assemble(const Mechanism& mechanism) {
     if (isViolated(result.before) || !findMissedInitial(mechanism, result.state, AssemblyTolerance).empty()) {
         AssemblyAim aim;
         for (const MechanismPart& part : mechanism.getParts()) aim.poses.push_back(part.calcGivenBodyPose());
-        result.yielded = findPositionsFreely(mechanism, aim, result.state);
-        mechanism.getSystem().realize(result.state, Stage::Position);
+        const FoundPositions found = findPositionsFreely(mechanism, aim, result.state);
+        result.yielded = found.yielded;
+        leaveOut(mechanism, found, result);
     }
+    settlePositions(mechanism, result);
     result.state.updU() = calcInitialVelocities(mechanism, result.state);
     finish(mechanism, result);
     result.moved = findMovedParts(mechanism, result.state);
@@ -115,14 +163,13 @@ AssembledState assemble(const Mechanism& mechanism) {
 AssembledState reassemble(const Mechanism& mechanism, const State& current) {
     AssembledState result;
     result.state = current;
+    takeBack(mechanism, result.state);
     mechanism.getSystem().realize(result.state, Stage::Position);
     result.before = calcViolation(mechanism, result.state);
-    if (isViolated(result.before)) {
-        AssemblyAim aim{{}, false};
-        for (const MechanismPart& part : mechanism.getParts())
-            aim.poses.push_back(part.body.getBodyTransform(result.state));
-        findPositions(mechanism, aim, result.state);
-    }
+    if (isViolated(result.before))
+        leaveOut(mechanism, findPositions(mechanism, aimAtPresent(mechanism, result.state), result.state),
+                 result);
+    settlePositions(mechanism, result);
     finish(mechanism, result);
     return result;
 }

@@ -43,11 +43,12 @@ private:
     const InitialCoordinate& m_given;
 };
 
-/// Keeps another condition's errors what they are in a State.
+/// Keeps another condition's errors what they are in a State, or a part of that.
 class KeptCondition : public PositionCondition {
 public:
-    KeptCondition(std::shared_ptr<const PositionCondition> condition, const SimTK::State& state)
-        : m_condition(std::move(condition)), m_errors(m_condition->calcErrors(state)) {}
+    KeptCondition(std::shared_ptr<const PositionCondition> condition, const SimTK::State& state,
+                  SimTK::Real part = 1)
+        : m_condition(std::move(condition)), m_errors(part * m_condition->calcErrors(state)) {}
 
     SimTK::Vector calcErrors(const SimTK::State& state) const override {
         return m_condition->calcErrors(state) - m_errors;

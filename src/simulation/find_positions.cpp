@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/scaled_equations.h"
 #include "jprim/analysis/conflicts.h"
+#include "jprim/analysis/constraint_report.h"
 #include "simulation/assembly_conditions.h"
+#include "simulation/equation_access.h"
 #include "simulation/position_search.h"
 
 namespace jprim {
@@ -22,6 +25,10 @@ namespace {
 
 constexpr Real Kept = 1e-6;     // of EXACT [sizes of the part, rad]: less is not noticed
 constexpr Real Rounded = 1e-3;  // likewise: less comes from numbers written with few digits
+
+// Errors [sizes of a part, rad] that come from numbers with few digits, if all that is left in the end is as small and
+// the equations that have them depend on each other.
+constexpr Real Contradiction = 1e-4;
 
 constexpr double Dominant = PositionProblem::Dominant;
 
@@ -57,19 +64,50 @@ public:
         }
     }
 
-    std::vector<MissedCoordinate> find(State& state) const {
+    FoundPositions find(State& state) {
         const Demand all{m_equations, join(m_initial, m_exact), 1, {}};
-        if (meet(all, state)) {
-            approach(all, state);
-            return {};
+        bool isMet = meet(all, state);
+        if (!isMet && (all.conditions.empty() || !meet({m_equations, {}, 1, {}}, state))) {
+            if (leaveOutContradictions(state)) return find(state);
+            if (!meetOtherwise(state)) failConstraints(state);
+            isMet = all.conditions.empty();
         }
-        if (!all.conditions.empty() && !meet({m_equations, {}, 1, {}}, state)) failConstraints(state);
-        if (all.conditions.empty()) failConstraints(state);
-        if (!meet({m_equations, m_initial, 1, {}}, state)) failInitial(state);
-        return yieldExact(state);
+        if (!isMet && !meetInitial(state)) failInitial(state);
+        if (isMet || m_exact.empty())
+            approach(all, state);
+        else
+            m_found.yielded = yieldExact(state);
+        return m_found;
     }
 
 private:
+    // Of equations that can be met but for next to nothing, those that depend on others up to that; false if that is not
+    // why they cannot be met.
+    bool leaveOutContradictions(const State& nearest) {
+        const Real left =
+            PositionSearch(makeProblem({m_equations, {}, 1, {}}, true), m_given).calcWorst(nearest);
+        if (left > Contradiction || !m_found.leftOut.empty()) return false;
+        const ConstraintReport report = analyzeConstraints(m_mechanism.getMatter(), nearest);
+        std::set<int> dependent;
+        for (const RedundantEquation& redundant : report.redundant)
+            if (!redundant.onlyHere)
+                dependent.insert(report.equations[size_t(redundant.equation)].multiplier);
+        Equations kept, others;
+        State given = m_given;
+        for (const ConstraintEquation& equation : m_equations) {
+            const bool isKept = dependent.count(equation.multiplier) == 0;
+            (isKept ? kept : others).push_back(equation);
+            if (!isKept) EquationAccess(m_mechanism, equation).setScale(given, 0);
+        }
+        State met = given;
+        if (!PositionSearch(makeProblem({kept, {}, 1, {}}, true), given).meetEquations(met)) return false;
+        m_given = given;
+        m_mechanism.getSystem().realize(m_given, SimTK::Stage::Position);
+        m_equations = kept;
+        m_found.leftOut = others;
+        return true;
+    }
+
     PositionProblem makeProblem(const Demand& demand, bool bends) const {
         std::vector<PoseGoal> poses;
         std::vector<SimTK::MobilizedBodyIndex> carriers;
@@ -88,7 +126,8 @@ private:
                 demand.conditions,
                 demand.emphasisOfEquations,
                 demand.emphasisOfConditions,
-                carriers};
+                carriers,
+                m_aim.tolerance};
     }
 
     bool isFlexible() const {
@@ -101,17 +140,37 @@ private:
     bool meet(const Demand& demand, State& state) const {
         state = m_given;
         if (PositionSearch(makeProblem(demand, false), state).meetEquations(state)) return true;
-        if (isFlexible()) {
-            state = m_given;
-            if (PositionSearch(makeProblem(demand, true), state).meetEquations(state)) return true;
+        if (!isFlexible()) return false;
+        state = m_given;
+        return PositionSearch(makeProblem(demand, true), state).meetEquations(state);
+    }
+
+    bool meetInitial(State& state) const {
+        return meet({m_equations, m_initial, 1, {}}, state) ||
+               meet({m_equations, m_initial, Dominant, {}}, state) || follow(m_initial, state);
+    }
+
+    // In small steps along the equations, from where these are met.
+    bool follow(const PositionConditions& conditions, State& state) const {
+        constexpr int Steps = 20;
+        State start;
+        meet({m_equations, {}, 1, {}}, start);
+        state = start;
+        for (int k = 1; k <= Steps; ++k) {
+            Demand demand{m_equations, {}, 1, {}};
+            for (const auto& condition : conditions)
+                demand.conditions.push_back(
+                    std::make_shared<KeptCondition>(condition, start, 1 - Real(k) / Steps));
+            if (!PositionSearch(makeProblem(demand, hasBent(state)), state).meetEquations(state))
+                return false;
         }
-        return demand.conditions.empty() && meetOtherwise(demand, state);
+        return true;
     }
 
     // By the search that explains failures: it must not find what this one does not, nor something else to be left.
-    bool meetOtherwise(const Demand& demand, State& state) const {
+    bool meetOtherwise(State& state) const {
         state = findConflicts(m_mechanism.getMatter(), m_given).state;
-        return PositionSearch(makeProblem(demand, true), m_given).isMet(state);
+        return PositionSearch(makeProblem({m_equations, {}, 1, {}}, true), m_given).isMet(state);
     }
 
     // Along what is met; modes that were not needed stay.
@@ -183,7 +242,7 @@ private:
         const PositionConditions conditions = join(m_initial, m_exact);
         State state;
         meet({m_equations, conditions, 1, std::vector<double>(conditions.size(), Dominant)}, state);
-        std::string held = fmt::format(", while {} are held", nameHeld(m_mechanism));
+        std::string held = fmt::format(", with {} held", nameHeld(m_mechanism));
         if (!missed.empty())
             held += fmt::format("; the nearest without EXACT has {} of {} elsewhere by {}",
                                 missed[0].coordinate.substr(std::string("EXACT ").size()), missed[0].element,
@@ -196,16 +255,15 @@ private:
     State m_given;
     Equations m_equations;
     PositionConditions m_initial, m_exact;
+    FoundPositions m_found;
 };
 
 }  // namespace
 
-std::vector<MissedCoordinate> findPositions(const Mechanism& mechanism, const AssemblyAim& aim,
-                                            State& state) {
-    const PositionFinder finder(mechanism, aim, state);
-    const std::vector<MissedCoordinate> yielded = finder.find(state);
+FoundPositions findPositions(const Mechanism& mechanism, const AssemblyAim& aim, State& state) {
+    FoundPositions found = PositionFinder(mechanism, aim, state).find(state);
     mechanism.getSystem().realize(state, SimTK::Stage::Position);
-    return yielded;
+    return found;
 }
 
 }  // namespace jprim

@@ -12,15 +12,20 @@ namespace jprim {
 struct AssemblyAim {
     std::vector<SimTK::Transform> poses;  ///< X_GB
     bool holdGiven = true;
+    SimTK::Real tolerance = AssemblyTolerance;
+};
+
+/// What was given and is not met.
+struct FoundPositions {
+    std::vector<MissedCoordinate> yielded;    ///< EXACT coordinates
+    std::vector<ConstraintEquation> leftOut;  ///< see AssembledState
 };
 
 /// Finds positions that satisfy the constraints and what is given, closest to the poses aimed at. Modes stay as they
 /// are if that can be met.
 /// @param state  where to begin, and the result
-/// @returns the EXACT coordinates that yield
 /// @throws AssemblyError with what is missed
-std::vector<MissedCoordinate> findPositions(const Mechanism& mechanism, const AssemblyAim& aim,
-                                            SimTK::State& state);
+FoundPositions findPositions(const Mechanism& mechanism, const AssemblyAim& aim, SimTK::State& state);
 
 }  // namespace jprim
 

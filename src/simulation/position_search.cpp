@@ -15,7 +15,7 @@
 #include <limits>
 #include <random>
 
-#include "jprim/simulation/assemble.h"
+#include "analysis/error_minimum.h"
 
 namespace jprim {
 
@@ -118,8 +118,12 @@ VectorXd PositionSearch::calcErrors(const State& state) const {
 bool PositionSearch::isMet(const State& state) const {
     const VectorXd scaled = calcErrors(state);
     for (int i = 0; i < scaled.size(); ++i)
-        if (!(std::abs(scaled[i]) <= AssemblyTolerance * m_scales[size_t(i)])) return false;
+        if (!(std::abs(scaled[i]) <= m_problem.tolerance * m_scales[size_t(i)])) return false;
     return true;
+}
+
+double PositionSearch::calcWorst(const State& state) const {
+    return calcLargest(calcErrors(state));
 }
 
 SparseMatrix PositionSearch::calcJacobian(const State& state, const BodyJacobian& bodies) const {
@@ -186,10 +190,10 @@ bool PositionSearch::descend(State& state, VectorXd& errors, double& damping) co
     constexpr double Stationary = 1e-10, Factor = 10;
     Linearization l;
     linearize(state, l);
-    const double size = errors.norm();
+    const double size = errors.norm(), least = calcLeastDamping(size);
     if (errors.dot(l.S * errors) <= Stationary * Stationary * size * size) return false;
     for (; damping < LargestDamping; damping *= Factor) {
-        l.factorS(damping * size);
+        l.factorS(std::max(damping * size, least));
         const VectorXd u = -(l.invH_At * l.solveS(errors));
         if (!u.allFinite()) continue;
         const State trial = move(state, u);
@@ -212,11 +216,13 @@ void PositionSearch::descendFully(State& state, int mostSteps, double damping) c
 bool PositionSearch::meetEquations(State& state) const {
     constexpr int MostSteps = 300;
     constexpr double FirstDamping = 1e-3, Lower = 0.999;
+    constexpr double Unlikely = 1e-4;  // for what is left at a position that is stationary by symmetry
     realize(state);
     descendFully(state, MostSteps, FirstDamping);
     std::mt19937 generator;
-    for (const double nudge : {0.01, 0.1}) {
+    for (const double nudge : {0.01, 0.1, 0.1, 0.3, 0.3}) {
         if (isMet(state)) return true;
+        if (calcWorst(state) < Unlikely) break;
         VectorXd u(state.getNU());
         for (int j = 0; j < u.size(); ++j)
             u[j] = m_isLocked[size_t(j)] ? 0 : std::normal_distribution<double>(0, nudge)(generator);

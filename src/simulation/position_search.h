@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jprim/analysis/constraint_equations.h"
+#include "jprim/simulation/assemble.h"
 #include "simulation/closeness.h"
 #include "simulation/position_condition.h"
 
@@ -24,6 +25,7 @@ struct PositionProblem {
     double emphasisOfEquations = 1;
     std::vector<double> emphasisOfConditions;  ///< empty if all are 1
     std::vector<SimTK::MobilizedBodyIndex> locked;
+    double tolerance = AssemblyTolerance;  ///< up to which equations and conditions are met [length unit, rad]
 };
 
 /// Finds positions for a PositionProblem. It does not care how many equations there are, nor whether they depend on
@@ -44,6 +46,8 @@ public:
     /// From a State that meets all goes on, meeting them, to where the goals' sum is least.
     void approachGoals(SimTK::State& state) const;
     bool isMet(const SimTK::State& state) const;
+    /// The largest error, scaled: about sizes of a part, or rad.
+    double calcWorst(const SimTK::State& state) const;
 
 private:
     struct Linearization;

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
 
 namespace jprim {
@@ -20,54 +19,23 @@ using SimTK::State;
 
 namespace {
 
-/// What may be dropped, and why.
-class Selection {
-public:
-    Selection(const Mechanism& mechanism, const State& state, const ConstraintReport& report)
-        : m_report(report) {
-        const auto isOnlyHere = [](const RedundantEquation& redundant) { return redundant.onlyHere; };
-        if (std::any_of(report.redundant.begin(), report.redundant.end(), isOnlyHere))
-            findRoundingErrors(ScaledEquations(mechanism.getMatter(), report.equations, state), state);
-    }
-
-    std::vector<int> find(DropChoice choice) const {
-        std::vector<int> selected;
-        for (const RedundantEquation& redundant : m_report.redundant)
-            if (isEmpty(redundant) || (!redundant.onlyHere && choice == DropChoice::Later))
-                selected.push_back(redundant.equation);
-        return selected;
-    }
-
-private:
-    // Numbers that are rounded in a dataset leave something of equations that joints in a tree meet already, but as
-    // little a motion away as here; at a dead point there is more of them nearby.
-    void findRoundingErrors(const ScaledEquations& scaled, const State& state) {
-        constexpr double Doubtful = 1e-7, Away = 0.03;  // a row's length; rad, or of the mechanism's size
-        const Eigen::MatrixXd here = scaled.calcJacobian(state);
-        const Eigen::VectorXd y =
-            Away * Decomposition(here, Decomposition::Vectors::Both).calcRandomNullVector(1);
-        const Eigen::MatrixXd there =
-            scaled.calcJacobian(scaled.move(state, y.cwiseProduct(scaled.getColumnScale())));
-        m_isRounding = here.rowwise().norm().array() < Doubtful && there.rowwise().norm().array() < Doubtful;
-    }
-
-    bool isEmpty(const RedundantEquation& redundant) const {
-        return redundant.onlyHere ? m_isRounding[redundant.equation] : redundant.dependsOn.empty();
-    }
-
-    const ConstraintReport& m_report;
-    Eigen::Array<bool, Eigen::Dynamic, 1> m_isRounding;
-};
+// Empty or Later: the equations that no motion changes, or all that follow from others wherever the mechanism moves.
+std::vector<int> select(const ConstraintReport& report, DropChoice choice) {
+    std::vector<int> selected;
+    for (const RedundantEquation& redundant : report.redundant)
+        if (!redundant.onlyHere && (redundant.dependsOn.empty() || choice == DropChoice::Later))
+            selected.push_back(redundant.equation);
+    return selected;
+}
 
 // The last ones of an elimination that always takes next what is most independent of those before.
-std::vector<int> selectWeakest(const Mechanism& mechanism, const State& state,
-                               const ConstraintReport& report) {
+std::vector<int> selectWeakest(const Mechanism& mechanism, const State& state, const ConstraintReport& report,
+                               size_t count) {
     const Eigen::MatrixXd A =
         ScaledEquations(mechanism.getMatter(), report.equations, state).calcJacobian(state);
     const Eigen::VectorXi order =
         Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(A.transpose()).colsPermutation().indices();
-    const auto count = Eigen::Index(Selection(mechanism, state, report).find(DropChoice::Later).size());
-    std::vector<int> selected(order.end() - count, order.end());
+    std::vector<int> selected(order.end() - Eigen::Index(count), order.end());
     std::sort(selected.begin(), selected.end());
     return selected;
 }
@@ -78,15 +46,16 @@ DroppedEquations::DroppedEquations(const Mechanism& mechanism, State& state, Dro
     : m_mechanism(mechanism) {
     const ConstraintReport report =
         analyzeConstraints(mechanism.getMatter(), state, mechanism.getElementNames());
-    const Selection selection(mechanism, state, report);
-    const std::vector<int> empty = selection.find(DropChoice::Empty);
-    for (const int k :
-         choice == DropChoice::Weakest ? selectWeakest(mechanism, state, report) : selection.find(choice)) {
+    const std::vector<int> empty = select(report, DropChoice::Empty);
+    std::vector<int> selected = choice == DropChoice::Empty ? empty : select(report, DropChoice::Later);
+    if (choice == DropChoice::Weakest) selected = selectWeakest(mechanism, state, report, selected.size());
+    for (const int k : selected) {
         const ConstraintEquation& equation = report.equations[size_t(k)];
         m_dropped.push_back({equation, std::count(empty.begin(), empty.end(), k) > 0, {mechanism, equation}});
         m_dropped.back().access.setScale(state, 0);
     }
     mechanism.getSystem().realize(state, SimTK::Stage::Position);
+    allowContradictions(state);
     m_strength = calcStrength(state);
     if (m_dropped.size() < report.equations.size()) return;
     for (const Dropped& dropped : m_dropped) {
@@ -94,6 +63,14 @@ DroppedEquations::DroppedEquations(const Mechanism& mechanism, State& state, Dro
         constraint.disable(state);
         m_disabled.push_back(constraint);
     }
+}
+
+// What is rounded in a dataset may contradict itself more in other positions.
+void DroppedEquations::allowContradictions(const State& state) {
+    constexpr Real Elsewhere = 100;
+    for (const Dropped& dropped : m_dropped)
+        if (dropped.equation.scale == 0)
+            keepWorst(m_allowed, dropped.equation, Elsewhere * dropped.access.calcError(state));
 }
 
 // The smallest singular value of the equations kept.
@@ -131,12 +108,15 @@ std::string DroppedEquations::describeViolation(const Dropped& dropped, Real err
 void DroppedEquations::check(const State& state, Real tolerance) const {
     for (const Dropped& dropped : m_dropped) {
         const Real error = dropped.access.calcError(state);
-        if (std::abs(error) > tolerance) throw std::runtime_error(describeViolation(dropped, error));
+        const Real allowed = dropped.equation.isLength ? m_allowed.length : m_allowed.angle;
+        if (std::abs(error) > std::max(tolerance, allowed))
+            throw std::runtime_error(describeViolation(dropped, error));
     }
 }
 
 void DroppedEquations::restore(State& state) const {
-    for (const Dropped& dropped : m_dropped) dropped.access.setScale(state, 1);
+    for (const Dropped& dropped : m_dropped)
+        if (dropped.equation.scale > 0) dropped.access.setScale(state, 1);
     for (const Constraint& constraint : m_disabled) constraint.enable(state);
 }
 

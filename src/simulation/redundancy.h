@@ -8,6 +8,7 @@
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/build/mechanism.h"
 #include "simulation/equation_access.h"
+#include "simulation/violation.h"
 
 namespace jprim {
 
@@ -16,7 +17,8 @@ namespace jprim {
 enum class DropChoice { Empty, Later, Weakest };
 
 /// Redundant equations of a mechanism, switched off as Adams does, and watched: they must go on being satisfied by what
-/// the others hold.
+/// the others hold. Those that the State does without already are watched too: they contradict the others by what was
+/// rounded in a dataset, see AssembledState::leftOut, and may go on doing so.
 class DroppedEquations {
 public:
     /// Drops equations that depend on others in the State, realized to Stage::Position, and nearby; those that depend
@@ -44,11 +46,13 @@ private:
         bool isEmpty = false;  // no motion changes it
         EquationAccess access;
     };
+    void allowContradictions(const SimTK::State& state);
     SimTK::Real calcStrength(const SimTK::State& state) const;
     std::string describeViolation(const Dropped& dropped, SimTK::Real error) const;
 
     const Mechanism& m_mechanism;
     SimTK::Real m_strength = 0;  // smallest singular value of what is kept
+    Violation m_allowed;         // of those that the State was without
     std::vector<Dropped> m_dropped;
     std::vector<SimTK::Constraint> m_disabled;
 };

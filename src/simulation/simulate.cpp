@@ -114,10 +114,16 @@ private:
         summary.isKinematic = isKinematic(m_mechanism, state, summary.degreesOfFreedom, m_options.kind);
         if (m_options.redundancy == Redundancy::Drop)
             drop(DropChoice::Later, state);
-        else if (count.hasOnlyEmptyHolonomic)
+        else if (count.hasOnlyEmptyHolonomic || isWithout(state))
             drop(DropChoice::Empty, state);
         if (m_dropped) summary.droppedEquations = m_dropped->getTexts();
         scale(state);
+    }
+
+    // Assembly has left out what the dataset's numbers contradict.
+    bool isWithout(const State& state) const {
+        const auto equations = m_mechanism.findEquations(state);
+        return std::any_of(equations.begin(), equations.end(), [](const auto& e) { return e.scale == 0; });
     }
 
     void scale(State& state) {

@@ -22,10 +22,7 @@ Violation calcViolation(const std::vector<ConstraintEquation>& equations, const 
     Violation violation;
     for (const ConstraintEquation& equation : equations) {
         if (equation.level != EquationLevel::Holonomic) break;
-        const Real error = std::abs(equation.getError(errors));
-        if (error > std::max(violation.length, violation.angle)) violation.element = equation.element;
-        Real& worst = equation.isLength ? violation.length : violation.angle;
-        worst = std::max(worst, error);
+        keepWorst(violation, equation, equation.getError(errors));
     }
     return violation;
 }
@@ -35,6 +32,12 @@ void keepWorst(Violation& worst, const Violation& now) {
         worst.element = now.element;
     worst.length = std::max(worst.length, now.length);
     worst.angle = std::max(worst.angle, now.angle);
+}
+
+void keepWorst(Violation& worst, const ConstraintEquation& equation, Real error) {
+    Violation violation{0, 0, equation.element};
+    (equation.isLength ? violation.length : violation.angle) = std::abs(error);
+    keepWorst(worst, violation);
 }
 
 void addMisfits(const Mechanism& mechanism, const State& given, Violation& violation) {

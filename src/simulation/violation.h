@@ -9,6 +9,9 @@ namespace jprim {
 /// Makes `worst` the larger of both, lengths and angles apart, with the element of the largest.
 void keepWorst(Violation& worst, const Violation& now);
 
+/// The same with the error of one equation.
+void keepWorst(Violation& worst, const ConstraintEquation& equation, SimTK::Real error);
+
 /// Where the given poses do not fit a mobilizer, its joint is violated as equations in its place would be.
 /// @param given  the State that comes nearest to the given poses. Requires Stage::Position
 void addMisfits(const Mechanism& mechanism, const SimTK::State& given, Violation& violation);

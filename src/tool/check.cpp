@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "simulation/equation_access.h"
 #include "tool/check_report.h"
 
 namespace jprim::tool {
@@ -43,8 +44,11 @@ void diagnose(CheckReport& report) {
     report.given = calcViolation(mechanism, given);
     try {
         report.assembled = assemble(mechanism);
-        report.constraints =
-            analyzeConstraints(mechanism.getMatter(), report.assembled->state, mechanism.getElementNames());
+        State all = report.assembled->state;
+        for (const ConstraintEquation& equation : report.assembled->leftOut)
+            EquationAccess(mechanism, equation).setScale(all, 1);
+        mechanism.getSystem().realize(all, Stage::Position);
+        report.constraints = analyzeConstraints(mechanism.getMatter(), all, mechanism.getElementNames());
     } catch (const std::exception& error) {
         report.failure = diagnoseFailure(mechanism, given, error);
         report.constraints.numMobilities = given.getNU();

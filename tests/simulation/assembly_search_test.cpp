@@ -244,7 +244,7 @@ TEST(ExactCoordinates, AgainstTheJointsAreAnError) {
         for (const char* words :
              {"JOINT/1: the parts cannot be assembled from their given positions; an error of 0.25 "
               "length units of the dataset and ",
-              " rad is left, while the EXACT coordinates of PART/2 are held; the nearest "
+              " rad is left, with the EXACT coordinates of PART/2 held; the nearest "
               "without EXACT has Z of PART/2 elsewhere by 0.25 length units"})
             EXPECT_NE(error.find(words), std::string::npos) << error;
     }

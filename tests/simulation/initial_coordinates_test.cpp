@@ -150,6 +150,23 @@ TEST_P(InitialCoordinates, AgainstAMotionAreAnError) {
         "be assembled misses it by 0.3 rad");
 }
 
+// Parallelograms with three rockers, parts up to 0.6 rad out of place. The first is met by going along the equations
+// only, the second beyond a dead point near which the equations alone are met.
+TEST(InitialAngles, AreReachedFromFarAway) {
+    for (const auto& [name, angle] :
+         {std::pair("three_rockers_a.adm", 0.2), std::pair("three_rockers_b.adm", -0.03590622423542289)}) {
+        Diagnostics diagnostics;
+        const Dataset dataset =
+            readDatasetFile(testing::getDataFolder() + "assembly/" + name, diagnostics);
+        const std::optional<Mechanism> mechanism =
+            buildMechanism(dataset, diagnostics, testing::getBuildOptions());
+        ASSERT_TRUE(mechanism) << testing::formatAll(diagnostics);
+        const AssembledState assembled = assemble(*mechanism);
+        EXPECT_NEAR(mechanism->getRequests()[0].functions[0].second.calcValue(assembled.state), angle, Tolerance);
+        EXPECT_LT(std::max(assembled.after.length, assembled.after.angle), Tolerance);
+    }
+}
+
 // Both drive the same joint, from the same angle but not as fast.
 TEST_P(InitialCoordinates, TwoMotionsThatDisagreeOnVelocityAreAnError) {
     const std::string text =

@@ -55,6 +55,20 @@ TEST_F(Tool, CheckCounts) {
     EXPECT_EQ(json["moved"].size(), 0u);
 }
 
+// The second hinge's place is rounded to six decimals, 3e-7 m off the first one's axis: no conflict.
+TEST_F(Tool, CheckTakesRoundedDoublesForRedundant) {
+    const std::string lid =
+        "lid\nPART/1,GROUND\nMARKER/1,REULER=0.4,0.7,0.3\nMARKER/2,QP=0.250870,-0.593364,0.764842,"
+        "REULER=0.4,0.7,0.3\nPART/2,MASS=10,CM=20,IP=1,2,3,REULER=0.4,0.7,0.3\nMARKER/20,QP=0.3,-0.2,0.5\n"
+        "MARKER/21\nMARKER/22,QP=0,0,1\nJOINT/1,REVOLUTE,I=21,J=1\nJOINT/2,REVOLUTE,I=22,J=2\nEND\n";
+    const Outcome text = run("check " + write("lid.adm", lid));
+    EXPECT_EQ(text.exitCode, 0);
+    EXPECT_EQ(text.err, "");
+    expectLines(text.out, {"degrees of freedom      1\n", "redundant equations     5\n",
+                           "follows from        JOINT/1 REVOLUTE: translation of I along Zj\n",
+                           "constraint error after   3.07e-07 ", " rad (at JOINT/2)\n"});
+}
+
 TEST_F(Tool, CheckCountsRedundantEquations) {
     // A second hinge on the same axis repeats all five equations.
     const std::string twice = Pendulum.substr(0, Pendulum.size() - 4) + "JOINT/2,REVOLUTE,I=10,J=21\nEND\n";

@@ -22,6 +22,10 @@
 ///
 /// A State that satisfies its position equations to within 10^-3, but not to rounding, is first brought there
 /// (a copy of it), so that a loose assembly does not make dependent equations look independent.
+///
+/// Where the numbers of a model are rounded, equations that were meant to say the same contradict each other. If no more
+/// than 10^-4 is left of them where they are met best [rad, or sizes of the mechanism], singular values up to a thousand
+/// times that, and 10^-3, count as zero.
 namespace jprim {
 
 /// Freedoms at one State.

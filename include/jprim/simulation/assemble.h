@@ -43,6 +43,9 @@ struct AssembledState {
     Violation after;
     std::vector<MovedPart> moved;
     std::vector<MissedCoordinate> yielded;  ///< EXACT coordinates that could not be held
+    /// Redundant equations that contradict others by what was rounded in the dataset's numbers, see analyzeConstraints().
+    /// They are dropped in the State; `after` has their errors.
+    std::vector<ConstraintEquation> leftOut;
 };
 
 /// Positions that cannot be assembled. The message names what is missed most.
