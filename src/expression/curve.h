@@ -18,6 +18,8 @@ public:
     virtual Partials calcPartials(SimTK::Real x, SimTK::Real z) const = 0;
     /// How many derivatives there are; those of calcPartials() that are lacking are NaN.
     virtual int getNumDerivatives() const { return 2; }
+    /// Which of its pieces x is on, if it is made of several: between any two x of one piece it is smooth.
+    virtual int findPiece(SimTK::Real) const { return 0; }
 };
 
 /// The derivative of an order of a spline's y(x, z) with respect to x.
@@ -28,6 +30,7 @@ public:
 
     SimTK::Real calcValue(SimTK::Real x, SimTK::Real z) const override;
     Partials calcPartials(SimTK::Real x, SimTK::Real z) const override;
+    int findPiece(SimTK::Real x) const override { return m_spline.countPointsUpTo(x); }
 
 private:
     InterpolatingSpline m_spline;

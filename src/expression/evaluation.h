@@ -42,6 +42,11 @@ public:
     Taylor<SimTK::Real> calcTaylor();
     Taylor<SimTK::Vec3> calcVectorTaylor();
 
+    /// Switch k of the program, where the last calc… was; with derivatives if that had them.
+    const Taylor<SimTK::Real>& getSwitch(int k) const {
+        return m_registers.scalars[m_program.m_code->switches.at(k).value];
+    }
+
     /// The derivatives of the scalar result with respect to all inputs, where the last calc… was.
     void calcGradient();
     SimTK::Real getScalarGradient(int input) const;

@@ -48,6 +48,11 @@ NewRegisters findNeeded(const std::vector<Instruction>& instructions, Operand re
     return needed;
 }
 
+bool isSwitch(const Instruction& instruction) {
+    return instruction.operation == Operation::Select ||
+           (instruction.operation == Operation::Call && Function(instruction.detail) == Function::Abs);
+}
+
 }  // namespace
 
 int Program::getNumDerivatives() const {
@@ -62,9 +67,19 @@ Program ProgramBuilder::finish(Operand result) const {
     renumber.scalars.keep(m_values.scalars, code->initial.scalars);
     renumber.vectors.keep(m_values.vectors, code->initial.vectors);
 
+    const auto addSwitch = [&](int value) {
+        const auto isSame = [&](const Program::Switch& other) {
+            return other.value == renumber.scalars(value);
+        };
+        if (m_scalarTraits[size_t(value)].isConstant ||
+            std::any_of(code->switches.begin(), code->switches.end(), isSame))
+            return;
+        code->switches.push_back({renumber.scalars(value), m_scalarTraits[size_t(value)].level});
+    };
     for (Instruction instruction : m_instructions) {
         instruction.result = renumber.get(hasVectorResult(instruction.operation))(instruction.result);
         if (instruction.result < 0) continue;
+        if (isSwitch(instruction)) addSwitch(instruction.arguments[0]);
         const char* shapes = getShapes(instruction.operation);
         for (int i = 0; shapes[i]; ++i) {
             int& argument = instruction.arguments[i];

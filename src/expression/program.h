@@ -59,6 +59,11 @@ public:
     /// How much the result changes per radian of continuous angle k, if that is a constant; otherwise NaN.
     SimTK::Real getAngleSlope(int k) const { return m_code->angles.at(k).slope; }
 
+    /// What decides between branches: the values whose signs do, of IF, MAX, STEP, IMPACT, ABS and the like.
+    int getNumSwitches() const { return static_cast<int>(m_code->switches.size()); }
+    /// The highest level of the inputs that switch k depends on.
+    InputLevel getSwitchLevel(int k) const { return m_code->switches.at(k).level; }
+
     /// What whole turns of the angles add to the result are the multiples of this. Zero if there is no angle, if
     /// the result depends on one in another way than by a constant factor, or if the factors of several are not
     /// in the ratio of whole numbers up to LargestRatio.
@@ -68,11 +73,16 @@ public:
 private:
     friend class ProgramBuilder;
     friend class Evaluation;
+    friend class TimeBreaks;
 
     // The registers of a continuous angle: what the evaluator remembers, what comes out.
     struct Angle {
         int remembered, result;
         SimTK::Real slope = SimTK::NaN;
+    };
+    struct Switch {
+        int value;  // its register
+        InputLevel level;
     };
     struct Code {
         std::vector<Instruction> instructions;
@@ -84,6 +94,7 @@ private:
         int velocityDegree = 0;
         int timeInput = -1;
         std::vector<Angle> angles;
+        std::vector<Switch> switches;
     };
     explicit Program(std::shared_ptr<const Code> code) : m_code(std::move(code)) {}
     static void findAngleSlopes(Code& code);

@@ -133,6 +133,10 @@ Real InterpolatingSpline::calcOnCurve(const Curve& curve, Method method, Real x,
                      x - m_x[i], order);
 }
 
+int InterpolatingSpline::countPointsUpTo(Real x) const {
+    return static_cast<int>(std::upper_bound(m_x.begin(), m_x.end(), x) - m_x.begin());
+}
+
 Real InterpolatingSpline::calcDerivative(Method method, Real x, Real z, int order) const {
     if (m_z.size() == 1 || z <= m_z.front()) return calcOnCurve(m_curves.front(), method, x, order);
     if (z >= m_z.back()) return calcOnCurve(m_curves.back(), method, x, order);

@@ -130,6 +130,26 @@ void MarkerForceImpl::calcForce(const State& state, SimTK::Vector_<SpatialVec>& 
     if (m_J) m_J->applyLoad(state, calcOpposite(state, onI, m_I, *m_J), bodyForces, mobilityForces);
 }
 
+Real MarkerForceImpl::calcPower(const State& state) const {
+    const SpatialVec onI = calcLoadOnI(state);
+    Real power = ~onI * m_I.findVelocityInGround(state);
+    if (m_J) power += ~calcOpposite(state, onI, m_I, *m_J) * m_J->findVelocityInGround(state);
+    return power + calcPotentialRate(state);
+}
+
+void MarkerForceImpl::addSwitches(const State& state,
+                                  std::vector<TrackedExpression::Switch>& switches) const {
+    for (const auto* expression : {&m_force, &m_moment})
+        if (*expression) (*expression)->addSwitches(state, false, switches);
+}
+
+std::vector<const MarkerExpression*> MarkerForceImpl::getExpressions() const {
+    std::vector<const MarkerExpression*> expressions;
+    for (const auto* expression : {&m_force, &m_moment})
+        if (*expression) expressions.push_back(&(*expression)->get());
+    return expressions;
+}
+
 Real MarkerForceImpl::calcPotentialRate(const State& state) const {
     return m_potential ? m_potential->calcRate(state) : 0;
 }

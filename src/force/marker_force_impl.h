@@ -24,6 +24,12 @@ public:
     SimTK::SpatialVec calcLoadOnJ(const SimTK::State& state) const;
     SimTK::Real calcPotentialRate(const SimTK::State& state) const;
 
+    /// What it takes from the energy that its potential does not tell of, negative. Requires Stage::Velocity.
+    SimTK::Real calcPower(const SimTK::State& state) const;
+    /// Of force and moment, as TrackedExpression has them.
+    void addSwitches(const SimTK::State& state, std::vector<TrackedExpression::Switch>& switches) const;
+    std::vector<const MarkerExpression*> getExpressions() const;
+
     // Those of force, moment and potential, one after the other.
     int getNumAngles() const;
     SimTK::Vector getTurns(const SimTK::State& state) const;

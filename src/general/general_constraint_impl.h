@@ -57,6 +57,8 @@ public:
     std::string findProblem(const SimTK::State& state) const;
     SimTK::Vector getTurns(const SimTK::State& state) const;
     void setTurns(SimTK::State& state, const SimTK::Vector& turns) const;
+    const MarkerExpression& getCoordinate() const { return *m_coordinate; }
+    const MarkerExpression* getFunction() const { return m_function.get(); }  ///< null if there is none
     int getNumAngles() const { return m_coordinate->program.getNumAngles(); }
     /// [moment, force] in Ground on a marker at its origin.
     SimTK::SpatialVec calcLoadOn(const SimTK::State& state, int markerId) const;

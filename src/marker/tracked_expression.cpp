@@ -38,4 +38,25 @@ Real TrackedExpression::calcRate(const State& state) const {
     return evaluation.calcTaylor().first;
 }
 
+void TrackedExpression::addSwitches(const State& state, bool withResult,
+                                    std::vector<Switch>& switches) const {
+    const Program& program = get().program;
+    if (program.getNumSwitches() == 0 && !withResult) return;
+    Evaluation& evaluation = prepare(state);
+    const bool isAccelerated = state.getSystemStage() >= Stage::Acceleration;
+    const std::vector<MarkerMotion> motions =
+        get().findMotions(state, isAccelerated ? InputLevel::Acceleration : InputLevel::Velocity);
+    get().setInputs(state.getTime(), motions.data(), evaluation);
+    Taylor<Real> result;
+    if (program.isVector())
+        evaluation.calcVectorTaylor();
+    else
+        result = evaluation.calcTaylor();
+    for (int k = 0; k < program.getNumSwitches(); ++k) {
+        const Taylor<Real>& value = evaluation.getSwitch(k);
+        switches.push_back({value.value, value.first, program.getSwitchLevel(k)});
+    }
+    if (withResult) switches.push_back({result.value, result.first, program.getLevel()});
+}
+
 }  // namespace jprim

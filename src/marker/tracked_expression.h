@@ -2,6 +2,8 @@
 #ifndef JPRIM_SRC_MARKER_TRACKED_EXPRESSION_H_
 #define JPRIM_SRC_MARKER_TRACKED_EXPRESSION_H_
 
+#include <vector>
+
 #include "jprim/marker/expression.h"
 #include "marker/angle_memory.h"
 
@@ -26,6 +28,16 @@ public:
 
     /// The time derivative of a scalar of positions along the motion. Requires Stage::Velocity.
     SimTK::Real calcRate(const SimTK::State& state) const;
+
+    /// A value whose sign decides something: of Program's switches, or another that matters.
+    struct Switch {
+        SimTK::Real value;
+        SimTK::Real rate;  ///< if the State tells it
+        InputLevel level;
+    };
+    /// The program's switches and, if it is wanted, a scalar result. Requires the stage that calcValue() does; rates of
+    /// positions are told at Stage::Velocity, those of velocities at Stage::Acceleration.
+    void addSwitches(const SimTK::State& state, bool withResult, std::vector<Switch>& switches) const;
 
 private:
     Evaluation& prepare(const SimTK::State& state) const;

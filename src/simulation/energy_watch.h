@@ -19,13 +19,14 @@ public:
     /// Requires Stage::Velocity, and at the start Stage::Dynamics.
     void observe(const SimTK::State& state);
 
-    /// Of integrated motions, after observe().
+    /// Of integrated motions, after observe(). Requires Stage::Acceleration.
     /// @throws std::runtime_error if the balance has changed since the last call, and has done so near a singular
     ///         position: the mechanism has been thrown off its motion
     void checkBalance(const SimTK::State& state);
 
 private:
     void start(const SimTK::State& state, SimTK::Real energy);
+    SimTK::Real addTurnover(const SimTK::State& state);
 
     const Mechanism& m_mechanism;
     SimulationSummary& m_summary;
@@ -34,6 +35,7 @@ private:
     SimTK::Real m_kinetic = 0, m_lastBalance = 0, m_lastKinetic = 0;
     SimTK::Real m_leastKinetic = 0, m_mostKinetic = 0;
     SimTK::Real m_smallestScale = 0;
+    SimTK::Real m_lastTime = 0, m_lastPower = 0, m_turnover = 0;
 };
 
 }  // namespace jprim

@@ -9,6 +9,7 @@
 #include "jprim/analysis/conflicts.h"
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/error.h"
+#include "simulation/stall_watch.h"
 
 namespace jprim {
 
@@ -71,12 +72,19 @@ bool isNearSingular(const Mechanism& mechanism, const State& state) {
 constexpr const char *TooShort = "Unable to advance time past",
                      *NotProjected = "Failed to achieve required accuracy";
 
+// CPodes', whose reasons are many.
+constexpr const char* NoStep = "Integrator step failed";
+
 bool isStuck(const std::exception& exception) {
     const std::string text = exception.what();
     return text.find(TooShort) != std::string::npos || text.find(NotProjected) != std::string::npos;
 }
 
 namespace {
+
+bool hasNoStep(const std::string& reason) {
+    return reason.find(TooShort) != std::string::npos || reason.find(NoStep) != std::string::npos;
+}
 
 // Simbody's messages run over several lines, and the commonest of them says nothing of what it means.
 std::string rephrase(std::string text) {
@@ -98,6 +106,15 @@ std::string findComplaint(const Mechanism& mechanism, State state) {
         }
     } catch (const Error& error) {
         return error.what();
+    }
+    return "";
+}
+
+// Where no step is short enough because a force jumps.
+std::string findJump(const Mechanism& mechanism, const State& state) {
+    for (const Real moment : {1e-9, 1e-6, 1e-3}) {
+        const std::string name = findJumpingForce(mechanism, state, moment);
+        if (!name.empty()) return describeJumpingForce(name);
     }
     return "";
 }
@@ -157,6 +174,8 @@ std::string describeFailure(const Mechanism& mechanism, const State& state, cons
     std::string where;
     try {
         mechanism.getSystem().realize(state, Stage::Position);
+        const std::string jump = hasNoStep(reason) ? findJump(mechanism, state) : "";
+        if (!jump.empty()) return fmt::format("at time {:.6g}: the simulation cannot go on: {}", time, jump);
         where = describeSingularity(mechanism, state) + describeLargestError(mechanism, state) +
                 describeConflict(mechanism, state);
     } catch (const std::exception&) {

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "force/marker_force_impl.h"
 #include "jprim/base/error.h"
+#include "marker/find_implementation.h"
+#include "simulation/break_watch.h"
 #include "simulation/failure.h"
+#include "simulation/integrators.h"
 #include "simulation/motion_scale.h"
 #include "simulation/projection.h"
 #include "simulation/quadrature.h"
+#include "simulation/stall_watch.h"
 #include "simulation/step_history.h"
 #include "simulation/stepper.h"
+#include "simulation/switch_watch.h"
 
 namespace jprim {
 
@@ -21,45 +25,6 @@ using SimTK::State;
 
 namespace {
 
-struct IntegratorEntry {
-    const char* name;
-    std::unique_ptr<Integrator> (*make)(const MultibodySystem&);
-    bool isRungeKutta = false;    ///< one that integrates all variables alike
-    bool remembersSteps = false;  ///< a multistep method, which begins anew if a state is changed
-};
-
-template <class Type>
-std::unique_ptr<Integrator> makeIntegrator(const MultibodySystem& system) {
-    return std::make_unique<Type>(system);
-}
-
-const IntegratorEntry Integrators[] = {
-    {"RungeKuttaMerson", makeIntegrator<SimTK::RungeKuttaMersonIntegrator>, true},
-    {"RungeKutta3", makeIntegrator<SimTK::RungeKutta3Integrator>, true},
-    {"Verlet", makeIntegrator<SimTK::VerletIntegrator>},
-    {"SemiExplicitEuler2", makeIntegrator<SimTK::SemiExplicitEuler2Integrator>},
-    {"CPodes", makeIntegrator<SimTK::CPodesIntegrator>, false, true}};
-
-const IntegratorEntry& findEntry(const std::string& name) {
-    for (const IntegratorEntry& entry : Integrators)
-        if (name == entry.name) return entry;
-    throw Error("integrator " + name,
-                fmt::format("is not known; use one of {}", fmt::join(getIntegratorNames(), ", ")));
-}
-
-std::unique_ptr<Integrator> makeIntegrator(const Mechanism& mechanism, const SimulationOptions& options,
-                                           const IntegratorEntry& entry, Real unit = 1) {
-    std::unique_ptr<Integrator> integrator = entry.make(mechanism.getSystem());
-    integrator->setAccuracy(unit * options.accuracy);
-    integrator->setConstraintTolerance(options.getConstraintTolerance());
-    if (std::isfinite(options.maximumStep))
-        integrator->setMaximumStepSize(options.maximumStep * mechanism.getUnits().time);
-    integrator->setProjectEveryStep(entry.remembersSteps);
-    integrator->setAllowInterpolation(false);
-    integrator->setReturnEveryInternalStep(true);
-    return integrator;
-}
-
 Real calcLargestAngularVelocity(const Mechanism& mechanism, const State& state) {
     Real w = 0;
     for (const MechanismPart& part : mechanism.getParts())
@@ -67,15 +32,26 @@ Real calcLargestAngularVelocity(const Mechanism& mechanism, const State& state) 
     return w;
 }
 
+SwitchWatch::Source makeSwitches(const Mechanism& mechanism) {
+    return [&mechanism](const State& state, std::vector<SwitchWatch::Switch>& switches) {
+        for (const MarkerForce& force : mechanism.getForces())
+            findImplementation<MarkerForceImpl>(force)->addSwitches(state, switches);
+    };
+}
+
 class Integration : public Stepper {
 public:
     Integration(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
         : m_mechanism(mechanism),
           m_options(options),
-          m_entry(findEntry(options.integrator)),
+          m_entry(findIntegrator(options.integrator)),
           m_scale(mechanism, initial),
-          m_quadrature(mechanism.getSystem()) {
+          m_quadrature(mechanism.getSystem()),
+          m_breaks(BreakWatch::ofLoads(mechanism)),
+          m_switches(mechanism.getSystem(), makeSwitches(mechanism)),
+          m_stall(mechanism) {
         begin(initial);
+        m_switches.start(getState());
         m_unit = calcCommonUnit();
         if (m_entry.remembersSteps && m_unit < 1) restart(initial);
         m_history.add(initial);
@@ -85,11 +61,15 @@ public:
     int getNumSteps() const override { return m_numStepsBefore + m_integrator->getNumStepsTaken(); }
 
     void step(Real time) override {
+        std::optional<State> start;
+        if (!m_switches.isEmpty()) start = getState();
         if (m_entry.remembersSteps && m_isAtRest)
             stepFromRest(time);
         else
             takeStep(time);
+        if (start) lookBetween(*start, time);
         m_history.add(getState());
+        m_stall.observe(getState(), time);
     }
 
 private:
@@ -107,7 +87,9 @@ private:
     }
 
     void takeStep(Real time) {
-        const Real end = std::min(time, getState().getTime() + m_timeOfARadian);
+        const std::optional<TimeBreak> next = findBreak(time);
+        const Real end = std::min(
+            {time, getState().getTime() + m_timeOfARadian, findEndInExcursion(), next ? next->before : time});
         try {
             adaptToMotion();
             advance(*m_integrator, end);
@@ -116,6 +98,58 @@ private:
             if (!isStuck(exception) || !crossSingularPosition(time)) throw;
         }
         lookAtMotion();
+        if (next && next->before <= getState().getTime()) crossBreak(*next, time);
+    }
+
+    // The next place for a step to end. One where the State stands is crossed; at zero, behind which numbers are too close,
+    // integrators do so themselves.
+    std::optional<TimeBreak> findBreak(Real time) {
+        std::optional<TimeBreak> next = m_breaks.findNext(getState().getTime(), time);
+        if (!next || next->before > getState().getTime()) return next;
+        const Real behind = next->behind;
+        if (getState().getTime() != 0) crossBreak(*next, time);
+        next = m_breaks.findNext(behind, time);
+        return next && next->before > getState().getTime() ? next : std::nullopt;
+    }
+
+    // A step begins behind the break: all its stages are on one side. Only where accelerations jump is what CPodes
+    // remembers of no more use.
+    void crossBreak(const TimeBreak& next, Real time) {
+        constexpr Real Jump = 1e-2;
+        BreakWatch::requireNoJump(m_mechanism, getState(), next.behind);
+        State before = getState(), behind = getState();
+        behind.updTime() = std::min(next.behind, time);
+        for (const State* state : {&before, &behind})
+            m_mechanism.getSystem().realize(*state, SimTK::Stage::Acceleration);
+        if (!m_entry.remembersSteps) {
+            m_integrator->updAdvancedState().updTime() = behind.getTime();
+            m_integrator->reinitialize(SimTK::Stage::Time, false);
+            m_quadrature.start(behind);
+            lookAtMotion();
+            return;
+        }
+        const SimTK::Vector jump = behind.getUDot() - before.getUDot();
+        if (jump.size() > 0 && jump.normInf() > Jump * before.getUDot().normInf()) begin(behind);
+    }
+
+    // What a step may have jumped over is gone through, from where it begins, by steps that do not.
+    void lookBetween(const State& start, Real time) {
+        constexpr int MostTrials = 20;
+        for (int k = 0; k < MostTrials; ++k) {
+            m_excursion = m_switches.check(getState(), m_entry.isBlindAtEnd);
+            if (!m_excursion) return;
+            begin(start);
+            takeStep(std::min(time, m_excursion->begin));
+        }
+        m_switches.start(getState());
+    }
+
+    Real findEndInExcursion() const {
+        constexpr int Parts = 8;
+        const Real now = getState().getTime();
+        if (!m_excursion || now >= m_excursion->end) return SimTK::Infinity;
+        if (now < m_excursion->begin) return m_excursion->begin;
+        return now + (m_excursion->end - m_excursion->begin) / Parts;
     }
 
     // CPodes stays at rest by long steps, if rounding errors do not keep it from them. What begins to move in such a
@@ -192,7 +226,7 @@ private:
         m_history.goBack(state, there - before);
         state = integrate(state, there - before, *makeIntegrator(m_mechanism, m_options, m_entry));
         m_crossedUntil = std::min(time, there + Beyond * before);
-        const auto across = makeIntegrator(m_mechanism, m_options, Integrators[0]);
+        const auto across = makeIntegrator(m_mechanism, m_options, findIntegrator("RungeKuttaMerson"));
         across->setProjectEveryStep(true);
         across->setFixedStepSize(m_crossedUntil - state.getTime());
         restart(integrate(state, m_crossedUntil, *across));
@@ -220,8 +254,12 @@ private:
     Real m_timeOfARadian = 0;
     Quadrature m_quadrature;
     StepHistory m_history;
-    int m_numStepsBefore = 0;  // of integrators before this one
-    int m_attempts = 0;        // to get across the same singular position
+    BreakWatch m_breaks;
+    SwitchWatch m_switches;
+    StallWatch m_stall;
+    std::optional<Excursion> m_excursion;  // the last that a step jumped over
+    int m_numStepsBefore = 0;              // of integrators before this one
+    int m_attempts = 0;                    // to get across the same singular position
     Real m_crossedUntil = -SimTK::Infinity;
 };
 
@@ -234,16 +272,6 @@ Real calcTimeOfARadian(const Mechanism& mechanism, const State& state) {
         if (!part.ground) a = std::max(a, part.body.getBodyAngularAcceleration(state).norm());
     const Real rate = w + std::sqrt(w * w + 2 * a);
     return rate > 0 ? 2 / rate : SimTK::Infinity;
-}
-
-std::vector<std::string> getIntegratorNames() {
-    std::vector<std::string> names;
-    for (const IntegratorEntry& entry : Integrators) names.push_back(entry.name);
-    return names;
-}
-
-void checkIntegratorName(const std::string& name) {
-    findEntry(name);
 }
 
 std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const State& initial,

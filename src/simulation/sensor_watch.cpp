@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/sensor_watch.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "force/expression_measure_impl.h"
+#include "marker/find_implementation.h"
 
 namespace jprim {
 
@@ -61,14 +65,54 @@ const MechanismSensor* SensorWatch::update(const Values& before, const Values& n
     return firing;
 }
 
+// The ends of the range of a sensor are switches like those of its function.
+SwitchWatch::Source SensorWatch::makeSwitches() const {
+    return [this](const State& state, std::vector<SwitchWatch::Switch>& switches) {
+        for (size_t k = 0; k < m_states.size(); ++k) {
+            const MechanismSensor& sensor = m_mechanism.getSensors()[k];
+            const size_t first = switches.size();
+            findImplementation<ExpressionMeasureImpl>(sensor.function)
+                ->getExpression()
+                .addSwitches(state, true, switches);
+            const SwitchWatch::Switch result = switches.back();
+            switches.back().value -= sensor.value - sensor.error;
+            switches.push_back({result.value - sensor.value - sensor.error, result.rate, result.level});
+            if (sensor.ends && m_states[k] == SensorState::Armed) continue;
+            for (size_t i = first; i < switches.size(); ++i) switches[i] = {1, 0, InputLevel::Acceleration};
+        }
+    };
+}
+
+// No step goes on over a moment at which time alone changes a sensor.
+Real SensorWatch::findEnd(Real now, Real time) {
+    std::optional<TimeBreak> next = m_breaks.findNext(now, time);
+    if (next && next->before <= now) next = m_breaks.findNext(next->behind, time);
+    return next && next->before > now ? std::min(next->before, time) : time;
+}
+
+// Where a sensor may have fired within a step alone, the step is taken again as far as that.
+void SensorWatch::lookBetween(const State& start, std::unique_ptr<Stepper>& stepper) {
+    m_mechanism.getSystem().realize(start, SimTK::Stage::Acceleration);
+    m_switches.start(start);
+    const std::optional<Excursion> excursion = m_switches.check(stepper->getState());
+    if (!excursion) return;
+    const Real inside = (excursion->begin + excursion->end) / 2;
+    stepper = m_makeStepper(start);
+    while (stepper->getState().getTime() < inside) stepper->step(inside);
+}
+
 // Bisection: nothing fires at `start`, something does where the stepper stands. A function that jumps may do so to
 // its VALUE, so that being there is no sign of having found the moment.
 const MechanismSensor* SensorWatch::step(std::unique_ptr<Stepper>& stepper, Real time) {
     constexpr int Halvings = 40;
     Values before = calcValues(stepper->getState());
     State start = stepper->getState();
-    stepper->step(time);
+    stepper->step(findEnd(start.getTime(), time));
     Values now = calcValues(stepper->getState());
+    if (!isAnyFiring(before, now)) {
+        lookBetween(start, stepper);
+        now = calcValues(stepper->getState());
+    }
     if (!isAnyFiring(before, now) || isAnyFiring(before, before)) return update(before, now);
     for (int k = 0; k < Halvings; ++k) {
         const Real middle = (start.getTime() + stepper->getState().getTime()) / 2;

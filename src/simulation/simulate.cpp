@@ -180,7 +180,9 @@ private:
         m_mechanism.getSystem().realize(state, Stage::Velocity);
         m_energy.observe(state);
         const bool isIntegrated = m_options.kind != SimulationKind::Statics && !m_outcome.summary.isKinematic;
-        if (isIntegrated) m_energy.checkBalance(state);
+        if (!isIntegrated) return;
+        m_mechanism.getSystem().realize(state, Stage::Acceleration);
+        m_energy.checkBalance(state);
     }
 
     void record() {

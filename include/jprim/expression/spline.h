@@ -46,6 +46,9 @@ public:
     /// right.
     SimTK::Real calcSlopeInZ(Method method, SimTK::Real x, SimTK::Real z, int order) const;
 
+    /// How many of the abscissae are not beyond x: between two of them a curve is one cubic.
+    int countPointsUpTo(SimTK::Real x) const;
+
 private:
     // A curve of the family: values, and slopes by method, at each abscissa.
     struct Curve {

@@ -71,11 +71,12 @@ struct SimulationSummary {
     /// Over all integrated steps, of Mechanism::calcEnergyBalance(): energy that has come from nowhere or is lost.
     double largestImbalance = 0;
     /// What that may be without a warning: five thousandths of energyScale or of largestEnergyChange, or if more a
-    /// thousandth of the largest kinetic energy. Motions that are right to a thousandth have less.
+    /// thousandth of the largest kinetic energy or of all the energy that went in and out, whatever its sign. Motions that
+    /// are right to a thousandth have less.
     double tolerableImbalance = 0;
     /// What changes are held against: largest less smallest kinetic energy; 1e-3 of the largest if it hardly
-    /// changes, and where hardly anything moves 1e-10 of the work of weights and forces over the parts' sizes, and the
-    /// energy at 1e-9 length units/s.
+    /// changes, and where hardly anything moves 4e-13 of the work of weights and forces over heights and parts' sizes,
+    /// and the energy at 1e-9 length units/s.
     double energyScale = 0;
     bool isKinematic = false;  ///< nothing was integrated: positions followed from the constraints
     int stepsTaken = 0;        ///< of the integrator or the kinematic solution

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/break_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "force/expression_measure_impl.h"
+#include "force/marker_force_impl.h"
+#include "general/general_constraint_impl.h"
+#include "jprim/base/error.h"
+#include "marker/find_implementation.h"
+
+namespace jprim {
+
+using SimTK::Real;
+using SimTK::State;
+
+BreakWatch BreakWatch::ofLoads(const Mechanism& mechanism) {
+    BreakWatch watch;
+    for (const MarkerForce& force : mechanism.getForces())
+        for (const MarkerExpression* expression :
+             findImplementation<MarkerForceImpl>(force)->getExpressions())
+            watch.add(*expression);
+    for (const Equation& equation : mechanism.getEquations()) {
+        const auto* constraint = findImplementation<GeneralConstraintImpl>(equation.constraint);
+        watch.add(constraint->getCoordinate());
+        if (constraint->getFunction()) watch.add(*constraint->getFunction());
+    }
+    return watch;
+}
+
+BreakWatch BreakWatch::ofSensors(const Mechanism& mechanism) {
+    BreakWatch watch;
+    for (const MechanismSensor& sensor : mechanism.getSensors())
+        if (sensor.ends)
+            watch.add(findImplementation<ExpressionMeasureImpl>(sensor.function)->getExpression().get());
+    return watch;
+}
+
+void BreakWatch::add(const MarkerExpression& expression) {
+    TimeBreaks breaks(expression.program, expression.units.time);
+    if (!breaks.isEmpty()) m_functions.emplace_back(std::move(breaks));
+}
+
+// A function that breaks without end, such as one whose branches are decided by rounding errors, is left to the
+// integrator.
+std::optional<TimeBreak> BreakWatch::findNext(Real after, Real until) {
+    constexpr int Most = 100000;
+    std::optional<TimeBreak> first;
+    for (Function& function : m_functions) {
+        const bool isKnown =
+            function.searchedFrom <= after &&
+            (function.next ? after < function.next->behind : until <= function.searchedUntil);
+        if (!isKnown && function.count < Most) {
+            function.next = function.breaks.findFirst(after, until);
+            function.searchedFrom = after;
+            function.searchedUntil = until;
+            if (function.next) ++function.count;
+        }
+        const std::optional<TimeBreak>& next = function.next;
+        if (!next || next->behind <= after || next->before > until) continue;
+        if (!first || next->before < first->before) first = next;
+    }
+    return first;
+}
+
+void BreakWatch::requireNoJump(const Mechanism& mechanism, const State& before, Real behind) {
+    constexpr Real Rounding = 1e-9;
+    if (mechanism.getEquations().empty()) return;
+    State state = before;
+    mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
+    const SimTK::Vector positions = state.getQErr(), velocities = state.getUErr();
+    const Real far = 1 + (state.getNQ() > 0 ? state.getQ().normInf() : 0),
+               fast = 1 + (state.getNU() > 0 ? state.getU().normInf() : 0);
+    state.updTime() = behind;
+    mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
+    const SimTK::Vector jumps = state.getQErr() - positions, rates = state.getUErr() - velocities;
+    for (const ConstraintEquation& equation : mechanism.findEquations(state)) {
+        if (equation.level == EquationLevel::Acceleration) continue;
+        const bool isOfPositions = equation.level == EquationLevel::Holonomic;
+        const bool isJump = isOfPositions && std::abs(equation.getError(jumps)) > Rounding * far;
+        if (!isJump && std::abs(equation.getError(rates)) <= Rounding * fast) continue;
+        throw Error(equation.element,
+                    fmt::format("its function jumps in {}, which nothing that has a mass can follow; use a "
+                                "function without a {}, such as STEP",
+                                isJump ? "position" : "velocity", isJump ? "jump" : "kink"));
+    }
+}
+
+}  // namespace jprim

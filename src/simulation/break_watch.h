@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_SIMULATION_BREAK_WATCH_H_
+#define JPRIM_SRC_SIMULATION_BREAK_WATCH_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "expression/time_breaks.h"
+#include "jprim/build/mechanism.h"
+
+namespace jprim {
+
+/// Finds when a function of time goes over to another branch, so that a step can end there and
+/// the next begin behind it.
+class BreakWatch {
+public:
+    static BreakWatch ofLoads(const Mechanism& mechanism);
+    /// Of the sensors that end a run.
+    static BreakWatch ofSensors(const Mechanism& mechanism);
+
+    /// The first break behind `after` and not behind `until`.
+    std::optional<TimeBreak> findNext(SimTK::Real after, SimTK::Real until);
+
+    /// What bodies with masses cannot follow: at a break a function asks for other positions or other velocities.
+    /// @param before  a State at the last moment before the break
+    /// @throws Error naming the MOTION or GCON
+    static void requireNoJump(const Mechanism& mechanism, const SimTK::State& before, SimTK::Real behind);
+
+private:
+    /// The breaks of a function, of which the next is known, or that there is none until a time.
+    struct Function {
+        explicit Function(TimeBreaks of) : breaks(std::move(of)) {}
+
+        TimeBreaks breaks;
+        SimTK::Real searchedFrom = SimTK::Infinity, searchedUntil = -SimTK::Infinity;
+        std::optional<TimeBreak> next;
+        int count = 0;
+    };
+    void add(const MarkerExpression& expression);
+
+    std::vector<Function> m_functions;
+};
+
+}  // namespace jprim
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// What no motion follows - a force that jumps where a mechanism can go to neither side, a MOTION that jumps or has a kink -
+// ends a run with its name; what only looks like it does not.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "jprim/jprim.h"
+#include "support/run_dataset.h"
+
+namespace jprim {
+namespace {
+
+SimulationOutcome simulateWith(const std::string& text, double end, const std::string& integrator,
+                               Formulation formulation = Formulation::Tree) {
+    const Mechanism mechanism = testing::buildOrFail(text, {formulation});
+    SimulationOptions options;
+    options.end = end;
+    options.steps = 10;
+    options.integrator = integrator;
+    return simulate(mechanism, assemble(mechanism), options);
+}
+
+// Slides at 1.1 m/s, and is braked by 2.3 m/s^2.
+std::string writeSliding(const std::string& friction) {
+    return fmt::format(
+        "slide\nPART/1,GROUND\nMARKER/1,REULER=90D,90D,0\nPART/2,MASS=1.9,CM=20,IP=1,1,1,VX=1.1\nMARKER/20\n"
+        "MARKER/21,REULER=90D,90D,0\nJOINT/1,TRANSLATIONAL,I=21,J=1\n"
+        "SFORCE/3,TRANSLATION,ACTIONONLY,I=21,J=1,FUNCTION={}\nEND\n",
+        friction);
+}
+
+class Jumps : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Integrators, Jumps, ::testing::Values("RungeKuttaMerson", "RungeKutta3", "Verlet"),
+                         [](const auto& info) { return info.param; });
+
+TEST_P(Jumps, OfFrictionAtRestAreNamed) {
+    for (const char* friction :
+         {"-SIGN(4.37,VZ(21,1,1))", "-4.37*VZ(21,1,1)/ABS(VZ(21,1,1))", "IF(VZ(21,1,1):4.37,0,-4.37)"}) {
+        const SimulationOutcome outcome = simulateWith(writeSliding(friction), 1.3, GetParam());
+        EXPECT_NE(outcome.failure.find("SFORCE/3: its function jumps"), std::string::npos) << friction << "\n"
+                                                                                           << outcome.failure;
+        EXPECT_GE(outcome.results.parts.getNumRows(), 4u);  // to 0.39; it rests at 0.478
+        EXPECT_LT(outcome.results.parts.getNumRows(), 10u);
+    }
+}
+
+// Before it comes to rest, and smoothed.
+TEST_P(Jumps, OfWhatGoesOnAreNone) {
+    EXPECT_EQ(simulateWith(writeSliding("-SIGN(4.37,VZ(21,1,1))"), 0.47, GetParam()).failure, "");
+    EXPECT_EQ(simulateWith(writeSliding("-4.37*TANH(VZ(21,1,1)/0.003)"), 1, GetParam()).failure, "");
+}
+
+std::string writeDriven(const std::string& function) {
+    return "driven\nACCGRAV/JGRAV=-9.81\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.03,0.05,0.04\n"
+           "MARKER/20,QP=0.3,0.1,0.02\nMARKER/21\nMARKER/22,QP=1,0,0\nJOINT/1,REVOLUTE,I=21,J=10\n"
+           "PART/3,MASS=1,CM=30,IP=0.03,0.05,0.04,QG=1,0,0\nMARKER/30,QP=0.2,0,0\nMARKER/31\n"
+           "JOINT/2,REVOLUTE,I=31,J=22\nMOTION/7,JOINT=1,FUNCTION=" +
+           function + "\nEND\n";
+}
+
+TEST(MotionJumps, AreNamed) {
+    for (const auto& [function, what] :
+         {std::pair("MAX(0,0.3*(TIME-0.437))", "velocity"),
+          std::pair("0.2*ABS(SIN(3.2*TIME-1.3984))", "velocity"),
+          std::pair("IF(TIME-0.437:0.1,0.1,0.2)", "position"), std::pair("MOD(TIME,0.437)", "position")})
+        for (const char* integrator : {"RungeKuttaMerson", "CPodes"})
+            for (const Formulation formulation : {Formulation::Tree, Formulation::Constraints}) {
+                const std::string failure =
+                    simulateWith(writeDriven(function), 1, integrator, formulation).failure;
+                EXPECT_EQ(failure.find("at time 0.437"), 0u) << failure;
+                EXPECT_NE(failure.find(std::string("MOTION/7: its function jumps in ") + what),
+                          std::string::npos)
+                    << failure;
+            }
+}
+
+// A jump of the acceleration is no harm, and no step has both sides of it.
+TEST(MotionJumps, OfAccelerationsAreNone) {
+    const SimulationOutcome outcome =
+        simulateWith(writeDriven("0.8*MAX(0,TIME-0.437)**2"), 1, "RungeKuttaMerson");
+    EXPECT_EQ(outcome.failure, "");
+    EXPECT_LT(outcome.summary.stepsTaken, 60);
+}
+
+}  // namespace
+}  // namespace jprim
