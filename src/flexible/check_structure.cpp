@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a matrix of a free structure must satisfy, term by term and row by row as far as possible: a message can
 // then name the place.
-#include <fmt/format.h>
-
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "base/format.h"
 #include "flexible/structure.h"
 #include "jprim/base/error.h"
 

@@ -5,12 +5,12 @@
 
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymGEigsShiftSolver.h>
-#include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <iostream>  // MetisSupport uses std::cerr without including it
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/reduce_to_modes.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "flexible/inertia_coupling.h"
 #include "flexible/lowest_modes.h"
 #include "flexible/node_rotations.h"

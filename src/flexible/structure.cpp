@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/structure.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
+#include "base/format.h"
 #include "flexible/matrix_file.h"
 #include "jprim/base/error.h"
 

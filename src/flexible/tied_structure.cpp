@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/tied_structure.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {

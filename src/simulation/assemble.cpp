@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/simulation/assemble.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/analysis/constraint_report.h"
 #include "simulation/assembly_conditions.h"
 #include "simulation/find_positions.h"

@@ -11,11 +11,10 @@
 // where the matrix is not positive definite, h is too large to go downhill and is made smaller.
 #include "jprim/simulation/equilibrium.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "simulation/constraint_jacobian.h"
 

@@ -3,11 +3,10 @@
 // search does; otherwise searches for less say what is in the way.
 #include "simulation/find_positions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "analysis/scaled_equations.h"
+#include "base/format.h"
 #include "jprim/analysis/conflicts.h"
 #include "simulation/assembly_conditions.h"
 #include "simulation/position_search.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "simulation/failure.h"
 #include "simulation/motion_scale.h"
@@ -44,7 +43,7 @@ const IntegratorEntry& findEntry(const std::string& name) {
     for (const IntegratorEntry& entry : Integrators)
         if (name == entry.name) return entry;
     throw Error("integrator " + name,
-                fmt::format("is not known; use one of {}", fmt::join(getIntegratorNames(), ", ")));
+                fmt::format("is not known; use one of {}", join(getIntegratorNames(), ", ")));
 }
 
 std::unique_ptr<Integrator> makeIntegrator(const Mechanism& mechanism, const SimulationOptions& options,

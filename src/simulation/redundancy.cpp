@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/redundancy.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
+#include "base/format.h"
 
 namespace jprim {
 
