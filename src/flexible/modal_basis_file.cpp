@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The file is text: a line of kind and version, then words each followed by its values, last a checksum of
 // all bytes before it, lines ending with LF. Numbers have the digits that reproduce them.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -14,6 +13,8 @@
 #include "base/format.h"
 #include "jprim/base/error.h"
 #include "jprim/flexible/modal_basis.h"
+#include "linear_algebra/conversion.h"
+#include "linear_algebra/eigenvalues.h"
 
 namespace jprim {
 
@@ -221,11 +222,7 @@ private:
     Mat33 takeInertia() {
         constexpr double Rounding = 1e-9;  // of the largest moment
         const Mat33 I = takeSymmetric();
-        Eigen::Matrix3d matrix;
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) matrix(i, j) = I(i, j);
-        const Eigen::Vector3d m =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+        const Eigen::Vector3d m = calcPrincipalValues(toEigen(I));
         if (!(m[0] >= -Rounding * m[2] && m[1] > 0))
             fail(fmt::format(
                 "the inertia has the principal moments {:.6g}, {:.6g}, {:.6g}; they must be positive", m[0],

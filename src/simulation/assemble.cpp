@@ -9,6 +9,7 @@
 #include "simulation/assembly_conditions.h"
 #include "simulation/find_positions.h"
 #include "simulation/initial_velocities.h"
+#include "simulation/projection.h"
 #include "simulation/violation.h"
 
 namespace jprim {
@@ -20,9 +21,6 @@ using SimTK::Transform;
 using SimTK::Vector;
 
 namespace {
-
-// Simbody's projection after assembly; well below AssemblyTolerance.
-constexpr Real ProjectionTolerance = 1e-11;
 
 bool isViolated(const Violation& violation) {
     return std::max(violation.length, violation.angle) > AssemblyTolerance;
