@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the diagnosis of constraints costs: a row of four-bars on free bodies, each standing on the coupler of
 // the one before, so that all hang together; three of 20 equations are redundant in each.
-#include <fmt/format.h>
-
 #include <vector>
 
+#include "base/format.h"
 #include "jprim/jprim.h"
 #include "measure.h"
 

@@ -2,12 +2,13 @@
 #include "contest.h"
 
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "base/format.h"
 
 namespace jprim::benchmarks {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A function expression with both time derivatives, beside the same formula and its derivatives written by hand.
 // Also values alone, and the gradient.
-#include <fmt/format.h>
-
 #include <chrono>
 #include <cmath>
 
+#include "base/format.h"
 #include "expression/compile_expression.h"
 #include "expression/evaluation.h"
 

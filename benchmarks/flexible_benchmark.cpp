@@ -5,11 +5,11 @@
 //    as many coordinates and as fast ones;
 //  - the same without the oscillators, for what they cost;
 //  - reduction of a block of 50,000 freedoms and 30 modes, in seconds and with the peak of memory.
-#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 
+#include "base/format.h"
 #include "jprim/jprim.h"
 #include "measure.h"
 #include "slider_crank.h"

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What joint coordinates save: rows of four-bars, run by a tree and by constraints, compared where both come as
 // near to the exact motion.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <vector>
 
+#include "base/format.h"
 #include "measure.h"
 #include "runs.h"
 

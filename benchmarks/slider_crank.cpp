@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "slider_crank.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <string>
 
+#include "base/format.h"
 #include "runs.h"
 
 namespace jprim::benchmarks {

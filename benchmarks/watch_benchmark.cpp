@@ -3,14 +3,13 @@
 // parallel axes, and the energy. Each watch is timed alone, on a State in which nothing of it is known yet, and held
 // against the time between output times of a run that would have a hundred of them. "Each" is for the energy watched
 // after each of the integrator's steps.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/format.h"
 #include "measure.h"
 #include "runs.h"
 #include "slider_crank.h"

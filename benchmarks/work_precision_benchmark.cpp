@@ -2,12 +2,11 @@
 // What each integrator needs for how much precision: error, steps and time of two mechanisms, a row of ten
 // four-bars in a tree and a slider-crank with a flexible rod, for accuracies 1e-3 to 1e-8. After a run that took
 // longer than TooLong the tighter ones are left out.
-#include <fmt/format.h>
-
 #include <functional>
 #include <string>
 #include <utility>
 
+#include "base/format.h"
 #include "runs.h"
 #include "slider_crank.h"
 

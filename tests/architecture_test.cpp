@@ -21,19 +21,21 @@ using Rooms = std::set<std::string>;
 const std::map<std::string, Rooms> AllowedUses = {
     {"base", {}},
     {"expression", {"base"}},
-    {"flexible", {"base"}},
+    {"linear_algebra", {}},
+    {"flexible", {"base", "linear_algebra"}},
     {"marker", {"base", "expression", "flexible"}},
     {"primitive", {"base", "marker"}},
     {"general", {"base", "expression", "marker"}},
     {"force", {"base", "expression", "marker"}},
     {"joint", {"base", "marker", "primitive", "general"}},
-    {"analysis", {"base", "marker", "primitive", "general", "joint"}},
+    {"analysis", {"base", "linear_algebra", "marker", "primitive", "general", "joint"}},
     {"dataset", {"base"}},
     {"build",
-     {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
-      "dataset"}},
+     {"base", "expression", "linear_algebra", "flexible", "marker", "primitive", "general", "force", "joint",
+      "analysis", "dataset"}},
     {"simulation",
-     {"base", "expression", "marker", "general", "force", "joint", "analysis", "dataset", "build"}},
+     {"base", "expression", "linear_algebra", "marker", "general", "force", "joint", "analysis", "dataset",
+      "build"}},
     {"tool",
      {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
       "dataset", "build", "simulation"}}};
@@ -116,6 +118,22 @@ TEST(Architecture, PublicHeadersSpeakStdAndSimTKOnly) {
             const bool standard = name.find('/') == std::string::npos && name.find('.') == std::string::npos;
             EXPECT_TRUE(simTK || standard || name.rfind("jprim/", 0) == 0) << file << " includes " << name;
         }
+}
+
+// fmt's own code and Eigen's decompositions cost seconds in every file that has them.
+TEST(Architecture, WhatCompilesSlowlyIsCompiledOnce) {
+    const std::set<std::string> decompositions = {
+        "Eigen/Cholesky", "Eigen/Dense",        "Eigen/Eigen",    "Eigen/Eigenvalues",
+        "Eigen/LU",       "Eigen/QR",           "Eigen/SVD",      "Eigen/SparseCholesky",
+        "Eigen/SparseLU", "Eigen/MetisSupport", "Eigen/SparseQR", "Eigen/Sparse"};
+    for (const char* folder : {"src", "tests", "benchmarks"})
+        for (const fs::path& file : findFiles(Source / folder, {".h", ".cpp"}))
+            for (const std::string& name : findIncludes(readFile(file))) {
+                const bool isFmt = name.rfind("fmt/", 0) == 0 && file.stem() != "format";
+                const bool isEigen = decompositions.count(name) > 0 && folder == std::string("src") &&
+                                     file.parent_path().filename() != "linear_algebra";
+                EXPECT_FALSE(isFmt || isEigen) << file << " includes " << name;
+            }
 }
 
 TEST(Architecture, TheUmbrellaHeaderIsComplete) {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "analysis/error_minimum.h"
-#include "analysis/random_vector.h"
-#include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
+#include "linear_algebra/random_vector.h"
+#include "linear_algebra/rank.h"
 #include "marker/find_implementation.h"
 #include "primitive/pair_constraint_impl.h"
 

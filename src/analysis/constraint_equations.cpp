@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/analysis/constraint_equations.h"
 
-#include <fmt/format.h>
-
 #include <typeinfo>
 
+#include "base/format.h"
 #include "general/general_constraint_impl.h"
 #include "marker/find_implementation.h"
 #include "primitive/pair_constraint_impl.h"

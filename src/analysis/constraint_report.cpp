@@ -5,8 +5,8 @@
 
 #include "analysis/error_minimum.h"
 #include "analysis/nearby_positions.h"
-#include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
+#include "linear_algebra/rank.h"
 
 namespace jprim {
 

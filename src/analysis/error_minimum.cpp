@@ -4,8 +4,9 @@
 // rows do no harm: mu keeps the matrix definite, and a consistent e has no part in its null space.
 #include "analysis/error_minimum.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+
+#include "linear_algebra/equations.h"
 
 namespace jprim {
 
@@ -23,7 +24,7 @@ double calcLargest(const VectorXd& v) {
 
 VectorXd calcStep(const MatrixXd& A, const MatrixXd& AAt, const VectorXd& errors, double mu) {
     const MatrixXd regular = AAt + mu * MatrixXd::Identity(A.rows(), A.rows());
-    const VectorXd y = -A.transpose() * regular.ldlt().solve(errors);
+    const VectorXd y = -A.transpose() * solveSymmetric(regular, errors);
     return y * std::min(1., LongestStep / std::max(calcLargest(y), SimTK::TinyReal));
 }
 

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "analysis/rank.h"
 #include "analysis/scaled_equations.h"
+#include "linear_algebra/rank.h"
 
 namespace jprim {
 

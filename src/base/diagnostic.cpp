@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/base/diagnostic.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "base/format.h"
 
 namespace jprim {
 

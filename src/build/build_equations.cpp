@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of MechanismBuilder that makes GCONs, MOTIONs and COUPLERs, and given coordinates at the start.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "build/mechanism_builder.h"
 #include "jprim/joint/motion.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of MechanismBuilder that makes flexible bodies and the markers on them.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format.h"
 #include "build/mechanism_builder.h"
 #include "jprim/base/error.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of MechanismBuilder that makes forces. Each is written as expressions in the dataset's units, times
 // the unit of its result.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "build/mechanism_builder.h"
 #include "build/power.h"
 #include "build/work_integral.h"

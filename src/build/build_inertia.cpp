@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of MechanismBuilder that decides on the mass and inertia of parts.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "build/kinetic_energy.h"
 #include "build/mechanism_builder.h"
 

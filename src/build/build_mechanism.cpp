@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/build/build_mechanism.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "build/connections.h"
 #include "build/frames.h"
 #include "build/mechanism_builder.h"

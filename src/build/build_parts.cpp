@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of MechanismBuilder that makes bodies.
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "build/frames.h"
 #include "build/mechanism_builder.h"
 #include "build/mobilizers.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of MechanismBuilder that makes what is only looked at: functions, requests, sensors.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "build/mechanism_builder.h"
 
 namespace jprim {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build/kinetic_energy.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <optional>
+
+#include "linear_algebra/conversion.h"
+#include "linear_algebra/eigenvalues.h"
+#include "linear_algebra/equations.h"
 
 namespace jprim {
 
@@ -14,18 +16,6 @@ using SimTK::Matrix;
 using SimTK::State;
 
 namespace {
-
-MatrixXd toEigen(const Matrix& m) {
-    return m.nelt() == 0 ? MatrixXd(m.nrow(), m.ncol())
-                         : MatrixXd(Eigen::Map<const MatrixXd>(&m(0, 0), m.nrow(), m.ncol()));
-}
-
-Matrix3d toEigen(const SimTK::Mat33& m) {
-    Matrix3d result;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) result(i, j) = m(i, j);
-    return result;
-}
 
 // The given positions, or if they are near enough to fit the constraints those that do; nothing if there the constraints
 // cannot be told.
@@ -53,10 +43,7 @@ MatrixXd calcAllowedMotions(const SimTK::SimbodyMatterSubsystem& matter, const S
     matter.calcG(state, G);
     const MatrixXd rows = toEigen(G);
     if (rows.size() == 0) return MatrixXd::Identity(state.getNU(), state.getNU());
-    Eigen::FullPivLU<MatrixXd> lu;
-    lu.setThreshold(Dependent);
-    lu.compute((rows.array().abs() > Noise).select(rows, 0));
-    return lu.dimensionOfKernel() > 0 ? MatrixXd(lu.kernel()) : MatrixXd(state.getNU(), 0);
+    return calcKernel((rows.array().abs() > Noise).select(rows, 0), Dependent);
 }
 
 // The angular velocity of a body in its own axes in each of the motions Z.
@@ -65,7 +52,7 @@ MatrixXd calcTurns(const SimTK::MobilizedBody& body, const State& state, const M
     for (Eigen::Index k = 0; k < Z.cols(); ++k) {
         SimTK::Vector_<SimTK::SpatialVec> V;
         const VectorXd u = Z.col(k);
-        body.getMatterSubsystem().multiplyBySystemJacobian(state, SimTK::Vector(int(u.size()), u.data()), V);
+        body.getMatterSubsystem().multiplyBySystemJacobian(state, toSimTK(u), V);
         const SimTK::Vec3 w = ~body.getBodyRotation(state) * V[body.getMobilizedBodyIndex()][0];
         turns.col(k) << w[0], w[1], w[2];
     }
@@ -74,9 +61,9 @@ MatrixXd calcTurns(const SimTK::MobilizedBody& body, const State& state, const M
 
 // What is to be added to a tensor of inertia to make its negative moments zero.
 Matrix3d calcNegativePart(const Matrix3d& inertia) {
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(inertia);
-    const Eigen::Vector3d moments = (-solver.eigenvalues()).cwiseMax(0);
-    return solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();
+    const PrincipalAxes principal = calcPrincipalAxes(inertia);
+    const Eigen::Vector3d moments = (-principal.values).cwiseMax(0);
+    return principal.axes * moments.asDiagonal() * principal.axes.transpose();
 }
 
 }  // namespace
@@ -99,10 +86,11 @@ std::vector<bool> findHarmful(const Mechanism& mechanism, const std::vector<Nega
         turns.push_back(calcTurns(negative.body, *state, Z));
         positive += 2 * turns.back().transpose() * calcNegativePart(toEigen(negative.inertia)) * turns.back();
     }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(energy, positive);
-    for (Eigen::Index k = 0; k < Z.cols() && solver.eigenvalues()[k] < Nothing; ++k)
+    const std::optional<Eigenvectors> solution = calcEigenvectors(energy, positive);
+    if (!solution) return harmful;
+    for (Eigen::Index k = 0; k < Z.cols() && solution->values[k] < Nothing; ++k)
         for (size_t i = 0; i < inertias.size(); ++i) {
-            const Eigen::Vector3d w = turns[i] * solver.eigenvectors().col(k);
+            const Eigen::Vector3d w = turns[i] * solution->vectors.col(k);
             if (w.dot(toEigen(inertias[i].inertia) * w) < -Noise) harmful[i] = true;
         }
     return harmful;

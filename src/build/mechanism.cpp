@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/build/mechanism.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "build/work_integral.h"
 #include "jprim/base/error.h"
 #include "jprim/marker/load.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build/mechanism_vocabulary.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
+#include "base/format.h"
 #include "expression/compile_expression.h"
 #include "force/marker_force_impl.h"
 #include "general/check_expression.h"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build/part_mass.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "jprim/build/build_mechanism.h"
+#include "linear_algebra/conversion.h"
+#include "linear_algebra/eigenvalues.h"
 
 namespace jprim {
 
@@ -15,15 +16,6 @@ using SimTK::Rotation;
 using SimTK::Vec3;
 
 namespace {
-
-using Solver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>;
-
-Solver solve(const Mat33& inertia) {
-    Eigen::Matrix3d m;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) m(i, j) = inertia(i, j);
-    return Solver(m);
-}
 
 Real getLargest(const Vec3& ascending) {
     return std::max(ascending[2], -ascending[0]);
@@ -47,8 +39,7 @@ Mat33 calcCentralInertia(const PartMass& part) {
 }
 
 Vec3 calcPrincipalMoments(const Mat33& inertia) {
-    const Eigen::Vector3d moments = solve(inertia).eigenvalues();
-    return Vec3(moments[0], moments[1], moments[2]);
+    return toVec3(calcPrincipalAxes(toEigen(inertia)).values);
 }
 
 Real calcTriangleExcess(const Vec3& moments) {
@@ -73,8 +64,8 @@ SolvableMass makeSolvable(Real mass, const Mat33& inertia, Real size, Real light
     if (result.massReplaced) result.mass = MasslessFraction * lightestMass;
     const Real shape = (result.massReplaced ? 1 : MasslessFraction) * result.mass * size * size;
 
-    const Solver solver = solve(inertia);
-    Eigen::Vector3d moments = solver.eigenvalues();
+    const PrincipalAxes principal = calcPrincipalAxes(toEigen(inertia));
+    Eigen::Vector3d moments = principal.values;
     const Real largest = moments.cwiseAbs().maxCoeff();
     const Real little = largest > 0 ? MasslessFraction * largest : shape;
     for (Real& moment : moments) {
@@ -83,8 +74,7 @@ SolvableMass makeSolvable(Real mass, const Mat33& inertia, Real size, Real light
         result.inertiaReplaced = true;
     }
     if (!result.inertiaReplaced) return result;
-    const Eigen::Matrix3d m =
-        solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();
+    const Eigen::Matrix3d m = principal.axes * moments.asDiagonal() * principal.axes.transpose();
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) result.inertia(i, j) = (m(i, j) + m(j, i)) / 2;
     return result;

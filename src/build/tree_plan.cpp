@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build/tree_plan.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
 #include <unordered_map>
 
+#include "base/format.h"
 #include "simmath/MultibodyGraphMaker.h"
 
 namespace jprim {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The arguments of a statement, by its table of rules. What stands after an equals sign is read in
 // argument_values.cpp.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "base/text.h"
 #include "dataset/statement_reader.h"
 

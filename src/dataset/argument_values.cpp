@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands after the equals sign of an argument.
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "dataset/statement_reader.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dataset/body_arguments.h"
 
-#include <fmt/format.h>
+#include "base/format.h"
 
 namespace jprim {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // MOTION and COUPLER speak of the one coordinate of a joint, or of one of the two.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "dataset/read_state.h"
 
 namespace jprim {

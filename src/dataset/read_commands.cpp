@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A command file: two names, then one command after the other. What each says is read in command_rules.cpp.
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "dataset/command_rules.h"
 #include "dataset/input_file.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // VARIABLE, SPLINE and SENSOR: data for functions, and events.
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "base/format.h"
 #include "dataset/connection_arguments.h"
 #include "dataset/statements.h"
 

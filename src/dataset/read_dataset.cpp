@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/dataset/read_dataset.h"
 
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "base/text.h"
 #include "dataset/input_file.h"
 #include "dataset/read_state.h"

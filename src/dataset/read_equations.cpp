@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // GCON and COUPLER: constraints that are one equation.
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "base/format.h"
 #include "dataset/connection_arguments.h"
 #include "dataset/statements.h"
 

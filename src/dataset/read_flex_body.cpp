@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // FLEX_BODY: a body that bends.
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "dataset/body_arguments.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // JPRIM and JOINT: a type and two markers.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "dataset/connection_arguments.h"
 #include "dataset/statements.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // MARKER: a frame on a body.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "dataset/body_arguments.h"
 #include "dataset/statements.h"
 

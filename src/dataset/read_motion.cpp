@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // MOTION: a coordinate of a joint, or between two markers, as a function of time.
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "base/format.h"
 #include "dataset/connection_arguments.h"
 #include "dataset/statements.h"
 

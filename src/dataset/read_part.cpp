@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // PART: a rigid body, or ground. POINT_MASS: a body that does not turn.
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "dataset/body_arguments.h"
 #include "dataset/statements.h"
 

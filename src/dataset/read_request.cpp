@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // REQUEST: what to write out.
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "base/format.h"
 #include "dataset/statements.h"
 
 namespace jprim {

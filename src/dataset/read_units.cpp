@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // UNITS and ACCGRAV: statements that stand once.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "base/text.h"
 #include "dataset/statements.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // VFORCE, VTORQUE and GFORCE: forces given by components.
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "base/format.h"
 #include "dataset/body_arguments.h"
 #include "dataset/connection_arguments.h"
 #include "dataset/statements.h"

@@ -2,10 +2,9 @@
 // A statement as a whole: its keyword, its id, its messages. The arguments are in argument_reader.cpp.
 #include "dataset/statement_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "base/numbers.h"
 #include "base/text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dataset/statement_writer.h"
 
-#include <fmt/format.h>
+#include "base/format.h"
 
 namespace jprim {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Constraints, forces, and what belongs to them. What has its default value is left out.
-#include <fmt/format.h>
-
 #include <array>
 
+#include "base/format.h"
 #include "dataset/statement_writer.h"
 
 namespace jprim {

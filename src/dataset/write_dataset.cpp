@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/dataset/write_dataset.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
 
+#include "base/format.h"
 #include "dataset/statement_lexer.h"
 #include "dataset/statement_writer.h"
 

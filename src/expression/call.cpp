@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a vocabulary may ask of the arguments of a call.
-#include <fmt/format.h>
-
 #include <limits>
 
+#include "base/format.h"
 #include "expression/compile_expression.h"
 
 namespace jprim {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expression/compile_expression.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "base/format.h"
 #include "base/numbers.h"
 #include "base/spelling.h"
 #include "base/text.h"

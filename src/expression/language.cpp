@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expression/language.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "expression/shaping.h"
 
 namespace jprim {

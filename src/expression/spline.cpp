@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/expression/spline.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a matrix of a free structure must satisfy, term by term and row by row as far as possible: a message can
 // then name the place.
-#include <fmt/format.h>
-
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "base/format.h"
 #include "flexible/structure.h"
 #include "jprim/base/error.h"
 
@@ -180,7 +178,7 @@ void checkMassDefinite(const NamedMatrix& M) {
     constexpr double Lift = 10 * DigitsOfMatrices;
     const Eigen::VectorXd lift = M.get().diagonal().unaryExpr([](double m) { return m == 0 ? 1 : Lift * m; });
     const SparseMatrix lifted = M.get() + SparseMatrix(lift.asDiagonal());
-    if (Eigen::SimplicialLLT<SparseMatrix>(lifted).info() != Eigen::Success)
+    if (!isPositiveDefinite(lifted))
         M.failIndefinite(
             findWeakestMotion(lifted),
             ": some motion has a negative mass; look for a negative or a zero term, and for a file of "

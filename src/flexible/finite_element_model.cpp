@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/finite_element_model.h"
 
-#include <fmt/format.h>
-
 #include <unordered_set>
 
+#include "base/format.h"
 #include "flexible/structure.h"
 #include "jprim/base/error.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/flexible_body.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "flexible/flexible_node.h"
 #include "flexible/modal_coordinates.h"
 #include "jprim/base/error.h"

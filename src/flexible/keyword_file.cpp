@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/keyword_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "jprim/base/error.h"
 

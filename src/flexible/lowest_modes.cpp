@@ -5,13 +5,13 @@
 
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymGEigsShiftSolver.h>
-#include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <iostream>  // MetisSupport uses std::cerr without including it
 
+#include "base/format.h"
 #include "jprim/base/error.h"
+#include "linear_algebra/eigenvalues.h"
+#include "linear_algebra/equations.h"
 
 namespace jprim {
 
@@ -44,14 +44,14 @@ private:
 Eigen::MatrixXd solveDensely(const ShiftedStiffness& K, const SparseMatrix& M, int count,
                              const std::string& element) {
     const Eigen::MatrixXd flexibility = K.solve(Eigen::MatrixXd::Identity(K.getSize(), K.getSize()));
-    const Eigen::MatrixXd F = Eigen::LLT<Eigen::MatrixXd>(flexibility).matrixL();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(F.transpose() * (M * F));
-    const Eigen::VectorXd nu = solver.eigenvalues().reverse();
+    const Eigen::MatrixXd F = calcCholeskyFactor(flexibility);
+    const Eigenvectors solution = calcEigenvectors(F.transpose() * (M * F));
+    const Eigen::VectorXd nu = solution.values.reverse();
     const int available = int((nu.array() > Massless * nu[0]).count());
     if (count > available)
         throw Error(element, fmt::format("more modes are wanted than motions with mass; ask for {} fewer",
                                          count - available));
-    return F * solver.eigenvectors().rightCols(count).rowwise().reverse() *
+    return F * solution.vectors.rightCols(count).rowwise().reverse() *
            nu.head(count).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
@@ -84,9 +84,7 @@ Eigen::MatrixXd solveByLanczos(const ShiftedStiffness& K, const SparseMatrix& M,
 }  // namespace
 
 ShiftedStiffness::ShiftedStiffness(const SparseMatrix& K, const SparseMatrix& M, double shift)
-    : m_shift(shift), m_size(int(K.rows())) {
-    if (m_size > 0) m_factor.compute(shift == 0 ? K : SparseMatrix(K + shift * M));
-}
+    : m_shift(shift), m_size(int(K.rows())), m_factor(shift == 0 ? K : SparseMatrix(K + shift * M)) {}
 
 int calcMostModes(int freedoms) {
     return freedoms <= LargestDense ? freedoms : freedoms / 3;

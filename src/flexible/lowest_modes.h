@@ -2,22 +2,19 @@
 #ifndef JPRIM_SRC_FLEXIBLE_LOWEST_MODES_H_
 #define JPRIM_SRC_FLEXIBLE_LOWEST_MODES_H_
 
-#include <Eigen/MetisSupport>
-#include <Eigen/SparseCholesky>
 #include <string>
 
 #include "flexible/structure.h"
 
 namespace jprim {
 
-/// K + s M, factored once. The nested dissection of METIS needs a quarter of the time and half the memory
-/// of the default ordering on a block of 50,000 freedoms.
+/// K + s M, factored once.
 class ShiftedStiffness {
 public:
     ShiftedStiffness(const SparseMatrix& K, const SparseMatrix& M, double shift);
 
     /// False if there is no factor because the sum is not positive definite.
-    bool isDefinite() const { return m_size == 0 || m_factor.info() == Eigen::Success; }
+    bool isDefinite() const { return m_factor.isDefinite(); }
     double getShift() const { return m_shift; }
     int getSize() const { return m_size; }
     Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const { return m_factor.solve(b); }
@@ -25,7 +22,7 @@ public:
 private:
     double m_shift;
     int m_size;
-    Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::MetisOrdering<int>> m_factor;
+    LargeFactor m_factor;
 };
 
 /// The most modes that calcLowestModes() finds among so many freedoms: all, or a third if there are many.

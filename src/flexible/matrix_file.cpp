@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/matrix_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "flexible/text_file.h"
 #include "jprim/base/error.h"

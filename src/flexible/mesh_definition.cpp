@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/mesh_definition.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "flexible/keyword_file.h"
 #include "flexible/set_reader.h"

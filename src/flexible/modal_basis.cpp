@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/modal_basis.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The file is text: a line of kind and version, then words each followed by its values, last a checksum of
 // all bytes before it, lines ending with LF. Numbers have the digits that reproduce them.
-#include <fmt/format.h>
-
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -13,8 +10,11 @@
 #include <set>
 #include <sstream>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "jprim/flexible/modal_basis.h"
+#include "linear_algebra/conversion.h"
+#include "linear_algebra/eigenvalues.h"
 
 namespace jprim {
 
@@ -70,19 +70,19 @@ public:
         add("{}{:016x}\n", ChecksumWord, calcChecksum({m_text.data(), m_text.size()}));
     }
 
-    const fmt::memory_buffer& getText() const { return m_text; }
+    const std::string& getText() const { return m_text; }
 
 private:
     template <class... Arguments>
-    void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-        fmt::format_to(std::back_inserter(m_text), format, std::forward<Arguments>(arguments)...);
+    void add(fmt::format_string<Arguments...> format, const Arguments&... arguments) {
+        appendText(m_text, format, arguments...);
     }
     void addVector(const Vec3& v) { add(" {} {} {}\n", v[0], v[1], v[2]); }
     void addSymmetric(const Mat33& m) {
         add(" {} {} {} {} {} {}\n", m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2));
     }
 
-    fmt::memory_buffer m_text;
+    std::string m_text;
 };
 
 //------------------------------------------------------------------------------------------ reading
@@ -222,11 +222,7 @@ private:
     Mat33 takeInertia() {
         constexpr double Rounding = 1e-9;  // of the largest moment
         const Mat33 I = takeSymmetric();
-        Eigen::Matrix3d matrix;
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) matrix(i, j) = I(i, j);
-        const Eigen::Vector3d m =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+        const Eigen::Vector3d m = calcPrincipalValues(toEigen(I));
         if (!(m[0] >= -Rounding * m[2] && m[1] > 0))
             fail(fmt::format(
                 "the inertia has the principal moments {:.6g}, {:.6g}, {:.6g}; they must be positive", m[0],

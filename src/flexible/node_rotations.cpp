@@ -4,7 +4,8 @@
 // neighbours span only a plane or a line the pseudo-inverse leaves the rest of G at zero.
 #include "flexible/node_rotations.h"
 
-#include <Eigen/QR>
+#include "linear_algebra/conversion.h"
+#include "linear_algebra/orthogonal.h"
 
 namespace jprim {
 
@@ -21,10 +22,6 @@ std::vector<int> findNeighbours(const SparseMatrix& K, int node) {
     return neighbours;
 }
 
-Eigen::Vector3d toEigen(const Vec3& v) {
-    return {v[0], v[1], v[2]};
-}
-
 }  // namespace
 
 void fitNodeRotations(const SparseMatrix& K, std::vector<ModalNode>& nodes) {
@@ -36,8 +33,7 @@ void fitNodeRotations(const SparseMatrix& K, std::vector<ModalNode>& nodes) {
             const Eigen::Vector3d s = toEigen(nodes[j].position - node.position);
             spread += s * s.transpose();
         }
-        const Eigen::Matrix3d inverse =
-            Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3d>(spread).pseudoInverse();
+        const Eigen::Matrix3d inverse = calcPseudoInverse(spread);
         for (size_t k = 0; k < node.translation.size(); ++k) {
             Eigen::Matrix3d G = Eigen::Matrix3d::Zero();
             for (const int j : neighbours)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/read_mesh.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
 #include <unordered_map>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "flexible/matrix_file.h"
 #include "flexible/mesh_definition.h"

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/reduce_to_modes.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "flexible/inertia_coupling.h"
 #include "flexible/lowest_modes.h"
 #include "flexible/node_rotations.h"
 #include "flexible/tied_structure.h"
 #include "jprim/base/error.h"
+#include "linear_algebra/eigenvalues.h"
+#include "linear_algebra/equations.h"
+#include "linear_algebra/orthogonal.h"
 
 namespace jprim {
 
@@ -106,19 +106,18 @@ struct FreeModes {
 // rigid solutions to be told from elastic ones.
 FreeModes solveWithoutRigidMotions(const MatrixXd& T, const Partition& p, const RigidMotions& R) {
     const MatrixXd momenta = T.transpose() * (p.M * R);
-    const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(momenta).householderQ();
+    const MatrixXd Q = completeBasis(momenta);
     const MatrixXd TZ = T * Q.rightCols(T.cols() - 6);
     const MatrixXd K = TZ.transpose() * (p.K * TZ), M = TZ.transpose() * (p.M * TZ);
-    const Eigen::LLT<MatrixXd> massFactor(M);
-    if (massFactor.info() != Eigen::Success)
+    if (!isPositiveDefinite(M))
         p.structure.M.fail(
             "is not positive definite; the interfaces may have no mass of their own, or a term is negative");
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(K, M);
-    if (solver.info() != Eigen::Success)
+    const std::optional<Eigenvectors> solution = calcEigenvectors(K, M);
+    if (!solution)
         p.structure.K.fail(
             "and the mass matrix have no modes that can be found; look for terms of very different "
             "sizes");
-    return {solver.eigenvalues(), TZ * solver.eigenvectors()};
+    return {solution->values, TZ * solution->vectors};
 }
 
 void checkFrequencies(const FreeModes& modes, const Partition& p) {

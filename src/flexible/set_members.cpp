@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/set_members.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
 
+#include "base/format.h"
 #include "base/text.h"
 
 namespace jprim {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/set_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "jprim/base/error.h"
 

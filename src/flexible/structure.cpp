@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/structure.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/SparseCholesky>
 #include <cmath>
 
+#include "base/format.h"
 #include "flexible/matrix_file.h"
 #include "jprim/base/error.h"
 
@@ -70,25 +68,6 @@ Structure::Structure(const FiniteElementModel& finiteElements, const MatrixFiles
     : model(finiteElements),
       K(model, model.stiffness, "stiffness", files.stiffness, files.rows),
       M(model, model.mass, "mass", files.mass, files.rows) {}
-
-// With A = ~P L D ~L P, the solution of ~L P u = e_k has ~u A u = D_k: freedom k moves by 1 and those eliminated
-// before it follow as they like.
-Eigen::VectorXd findWeakestMotion(const SparseMatrix& matrix) {
-    constexpr double Small = 1e-10;  // keeps exact zeros from stopping the factorization
-    const Eigen::VectorXd diagonal =
-        matrix.diagonal().unaryExpr([](double value) { return value == 0 ? 1 : std::abs(value); });
-    const SparseMatrix shift(Eigen::VectorXd(Small * diagonal).asDiagonal());
-    const Eigen::SimplicialLDLT<SparseMatrix> factor(matrix + shift);
-    Eigen::Index weakest = 0;
-    if (factor.info() != Eigen::Success) {
-        matrix.diagonal().minCoeff(&weakest);
-        return Eigen::VectorXd::Unit(matrix.rows(), weakest);
-    }
-    const Eigen::VectorXd eliminated = factor.permutationP() * diagonal;
-    factor.vectorD().cwiseQuotient(eliminated).minCoeff(&weakest);
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(matrix.rows(), weakest);
-    return factor.permutationPinv() * Eigen::VectorXd(factor.matrixU().solve(unit));
-}
 
 Eigen::Matrix<double, 1, 6> calcRigidMotion(int axis, const Vec3& offset) {
     Eigen::Matrix<double, 1, 6> motion = Eigen::Matrix<double, 1, 6>::Zero();

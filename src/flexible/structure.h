@@ -2,17 +2,16 @@
 #ifndef JPRIM_SRC_FLEXIBLE_STRUCTURE_H_
 #define JPRIM_SRC_FLEXIBLE_STRUCTURE_H_
 
-#include <Eigen/SparseCore>
 #include <string>
 #include <vector>
 
 #include "jprim/flexible/read_mesh.h"
+#include "linear_algebra/sparse_factor.h"
 
 /// @file
 /// Finite-element models as Eigen matrices.
 namespace jprim {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
 using RigidMotions = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
 /// The stiffness or the mass matrix of a model, and how messages speak of it: of the file it was read from and
@@ -68,10 +67,6 @@ void checkNodes(const FiniteElementModel& model);
 
 /// What checkFiniteElementModel() does for the matrices. @throws Error
 void checkStructure(const Structure& structure);
-
-/// The motion that `matrix` resists least, for its size: u of all freedoms with the least ~u A u. Meant for a
-/// matrix that is not positive definite.
-Eigen::VectorXd findWeakestMotion(const SparseMatrix& matrix);
 
 /// Displacements of all freedoms in the six unit motions about a centre: translations, then rotations.
 RigidMotions makeRigidMotions(const FiniteElementModel& model, const SimTK::Vec3& center = SimTK::Vec3(0));

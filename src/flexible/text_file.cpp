@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/text_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <utility>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "jprim/base/error.h"
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexible/tied_structure.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
+#include "linear_algebra/eigenvalues.h"
 
 namespace jprim {
 
@@ -83,8 +82,7 @@ private:
             const Eigen::Vector3d e(s[0], s[1], s[2]);
             spread += e * e.transpose();
         }
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread, Eigen::EigenvaluesOnly);
-        const Eigen::Vector3d extents = solver.eigenvalues();
+        const Eigen::Vector3d extents = calcPrincipalValues(spread);
         if (extents[1] <= Flat * extents[2] || nodes.size() < 3)
             fail(k,
                  "its nodes lie on one line, and nodes of a solid mesh have no rotations; name three or "

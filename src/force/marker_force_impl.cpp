@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "force/marker_force_impl.h"
 
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "marker/require_on_body.h"
 

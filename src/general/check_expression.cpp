@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "general/check_expression.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "marker/require_on_body.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/general/general_constraint.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstring>
 
+#include "base/format.h"
 #include "general/check_expression.h"
 #include "general/general_constraint_impl.h"
 #include "jprim/base/error.h"
@@ -106,7 +105,8 @@ GeneralConstraint& GeneralConstraint::setDefaultScale(Real scale) {
 
 void GeneralConstraint::setEquationScale(State& state, Real scale) const {
     if (!(scale >= 0 && std::isfinite(scale)))
-        throw Error(getDescription(), fmt::format("{} is no scale of an equation; use a positive number", scale));
+        throw Error(getDescription(),
+                    fmt::format("{} is no scale of an equation; use a positive number", scale));
     getImpl().setStateScale(state, scale);
 }
 

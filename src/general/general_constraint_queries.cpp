@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What others ask a GeneralConstraint, as opposed to what Simbody does.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "base/format.h"
 #include "general/general_constraint_impl.h"
 #include "jprim/base/error.h"
 #include "marker/read_multiplier.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "marker/angle_memory.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/marker/marker.h"
 
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "marker/marker_motion.h"
 #include "marker/require_finite.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "marker/marker_vocabulary.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
+#include "base/format.h"
 #include "expression/compile_expression.h"
 
 namespace jprim {

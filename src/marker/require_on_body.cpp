@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "marker/require_on_body.h"
 
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "marker/marker_expression.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/marker/typed_handle.h"
 
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {

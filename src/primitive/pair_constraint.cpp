@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/primitive/pair_constraint.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "jprim/marker/load.h"
 #include "marker/find_implementation.h"

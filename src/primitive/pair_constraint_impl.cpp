@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "primitive/pair_constraint_impl.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "marker/cache_entry.h"
 #include "marker/read_multiplier.h"
 #include "marker/require_on_body.h"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/simulation/assemble.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/analysis/constraint_report.h"
 #include "simulation/assembly_conditions.h"
 #include "simulation/equation_access.h"
 #include "simulation/find_positions.h"
 #include "simulation/initial_velocities.h"
+#include "simulation/projection.h"
 #include "simulation/violation.h"
 
 namespace jprim {
@@ -22,9 +22,6 @@ using SimTK::Transform;
 using SimTK::Vector;
 
 namespace {
-
-// Simbody's projection after assembly; well below AssemblyTolerance.
-constexpr Real ProjectionTolerance = 1e-11;
 
 bool isViolated(const Violation& violation) {
     return std::max(violation.length, violation.angle) > AssemblyTolerance;

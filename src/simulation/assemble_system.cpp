@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/simulation/assemble_system.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/scaled_equations.h"
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "jprim/simulation/assemble.h"
 #include "simulation/position_search.h"

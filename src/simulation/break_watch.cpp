@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/break_watch.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "force/expression_measure_impl.h"
 #include "force/marker_force_impl.h"
 #include "general/general_constraint_impl.h"

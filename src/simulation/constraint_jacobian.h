@@ -2,7 +2,7 @@
 #ifndef JPRIM_SRC_SIMULATION_CONSTRAINT_JACOBIAN_H_
 #define JPRIM_SRC_SIMULATION_CONSTRAINT_JACOBIAN_H_
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
 #include "jprim/build/mechanism.h"
 
@@ -23,23 +23,6 @@ public:
 private:
     Eigen::MatrixXd m_G;
     Eigen::VectorXd m_inverseScales;  // 0 of dropped equations
-};
-
-/// A matrix whose ordinary rows are of size one, and its rank, decided as in the analysis of constraints.
-class RankedRows {
-public:
-    explicit RankedRows(const Eigen::MatrixXd& A);
-
-    /// An orthonormal basis.
-    Eigen::MatrixXd calcNullSpace() const;
-    /// The smallest of the x that come nearest to A x = b.
-    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-    /// The smallest of the y that come nearest to ~A y = f.
-    Eigen::VectorXd solveTransposed(const Eigen::VectorXd& f) const;
-
-private:
-    Eigen::MatrixXd m_Q,
-        m_L;  // A = L ~Q, where Q's first columns span the rows and the others the null space
 };
 
 }  // namespace jprim

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/energy_watch.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "base/format.h"
 #include "force/marker_force_impl.h"
 #include "marker/find_implementation.h"
 #include "simulation/failure.h"

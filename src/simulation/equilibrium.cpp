@@ -11,13 +11,16 @@
 // where the matrix is not positive definite, h is too large to go downhill and is made smaller.
 #include "jprim/simulation/equilibrium.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
+#include "linear_algebra/conversion.h"
+#include "linear_algebra/equations.h"
+#include "linear_algebra/ranked_rows.h"
 #include "simulation/constraint_jacobian.h"
+#include "simulation/projection.h"
 
 namespace jprim {
 
@@ -33,17 +36,6 @@ namespace {
 constexpr int MostSteps = 1000;
 constexpr Real LongestStep = 0.2;  // of a coordinate: length units, radians
 constexpr Real Difference = 1e-6;  // for K
-constexpr Real ProjectionTolerance = 1e-11;
-
-VectorXd toEigen(const Vector& v) {
-    VectorXd result(v.size());
-    for (int i = 0; i < v.size(); ++i) result[i] = v[i];
-    return result;
-}
-
-Vector toSimTK(const VectorXd& v) {
-    return Vector(int(v.size()), v.data());
-}
 
 class EquilibriumSearch {
 public:
@@ -56,7 +48,7 @@ public:
         Real first = 0, last = 0;
         for (int k = 0; k < MostSteps; ++k) {
             linearize();
-            const VectorXd accelerations = m_M.ldlt().solve(m_r);
+            const VectorXd accelerations = solveSymmetric(m_M, m_r);
             const Real size = accelerations.size() > 0 ? accelerations.cwiseAbs().maxCoeff() : 0;
             if (k == 0) {
                 first = size + m_mechanism.getGravity().norm();
@@ -147,15 +139,13 @@ private:
 
     void step() {
         constexpr int MostReductions = 100;
-        Eigen::LLT<MatrixXd> factor;
-        for (int k = 0; k < MostReductions; ++k) {
-            factor.compute(m_M / m_h + (m_K + m_K.transpose()) / 2);
-            if (factor.info() == Eigen::Success) break;
-            m_h /= 4;
+        std::optional<VectorXd> dz;
+        for (int k = 0; k < MostReductions && !dz; ++k) {
+            dz = solveDefinite(m_M / m_h + (m_K + m_K.transpose()) / 2, m_r);
+            if (!dz) m_h /= 4;
         }
-        const VectorXd dz = factor.solve(m_r);
-        if (!dz.allFinite()) throw Error("equilibrium", "the forces are not finite");
-        VectorXd displacement = m_Z * dz;
+        if (!dz || !dz->allFinite()) throw Error("equilibrium", "the forces are not finite");
+        VectorXd displacement = m_Z * *dz;
         const Real size = displacement.cwiseAbs().maxCoeff();
         if (size > LongestStep) displacement *= LongestStep / size;
         move(displacement, m_state);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/failure.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/analysis/conflicts.h"
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/error.h"

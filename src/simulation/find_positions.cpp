@@ -3,12 +3,11 @@
 // search does; otherwise searches for less say what is in the way.
 #include "simulation/find_positions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 
 #include "analysis/scaled_equations.h"
+#include "base/format.h"
 #include "jprim/analysis/conflicts.h"
 #include "jprim/analysis/constraint_report.h"
 #include "simulation/assembly_conditions.h"

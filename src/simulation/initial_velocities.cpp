@@ -11,10 +11,12 @@
 // None of this is needed if the velocities given, with zero for what is not, are a motion that the joints allow.
 #include "simulation/initial_velocities.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 
 #include "jprim/marker/marker_pair.h"
+#include "linear_algebra/conversion.h"
+#include "linear_algebra/orthogonal.h"
+#include "linear_algebra/ranked_rows.h"
 #include "simulation/constraint_jacobian.h"
 #include "simulation/coordinate_direction.h"
 
@@ -99,16 +101,7 @@ private:
 Eigen::VectorXd calcErrors(const Mechanism& mechanism, State& state, const Vector& u) {
     state.updU() = u;
     mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
-    const Vector& errors = state.getUErr();
-    Eigen::VectorXd result(errors.size());
-    for (int k = 0; k < errors.size(); ++k) result[k] = errors[k];
-    return result;
-}
-
-Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(RankTolerance);
-    return decomposition.compute(A).solve(b);
+    return toEigen(state.getUErr());
 }
 
 // y, see above.
@@ -120,7 +113,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& GS, const Eigen::VectorXd& b, const
     const Eigen::MatrixXd Z = rows.calcNullSpace();
     const Eigen::MatrixXd CSZ = CS * Z;
     if (Z.cols() == 0 || CSZ.norm() < RankTolerance) return p;
-    return p + Z * solveLeastNorm(CSZ, c - CS * p);
+    return p + Z * solveLeastNorm(CSZ, c - CS * p, RankTolerance);
 }
 
 // S, see above; its rows are those of u, its columns those of the speeds of parts.
@@ -142,10 +135,7 @@ Eigen::MatrixXd calcS(const Mechanism& mechanism, const State& state) {
     Eigen::MatrixXd S = Eigen::MatrixXd::Zero(state.getNU(), n);
     const Eigen::Map<const Eigen::MatrixXd> all(&J(0, 0), J.nrow(), J.ncol());
     const Eigen::Map<const Eigen::VectorXd> W(weights.data(), Eigen::Index(weights.size()));
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(W.asDiagonal() * all(rows, speeds));
-    Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(n, n);
-    qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().solveInPlace(inverse);
-    S(speeds, Eigen::all) = inverse;
+    S(speeds, Eigen::all) = calcOrthonormalizer(W.asDiagonal() * all(rows, speeds));
     return S;
 }
 
@@ -212,7 +202,7 @@ Vector calcInitialVelocities(const Mechanism& mechanism, const State& positions)
     const Eigen::MatrixXd S = calcS(mechanism, state);
     const SpeedEquations equations(mechanism, state);
     const Eigen::VectorXd u = S * solve(equations.getG() * S, equations.unscale(b), given.C * S, given.c);
-    return Vector(int(u.size()), u.data());
+    return toSimTK(u);
 }
 
 }  // namespace jprim

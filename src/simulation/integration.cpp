@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "force/marker_force_impl.h"
 #include "jprim/base/error.h"
 #include "marker/find_implementation.h"

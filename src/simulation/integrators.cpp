@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/integrators.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "simulation/stepper.h"
 
@@ -34,7 +33,7 @@ const IntegratorEntry& findIntegrator(const std::string& name) {
     for (const IntegratorEntry& entry : Integrators)
         if (name == entry.name) return entry;
     throw Error("integrator " + name,
-                fmt::format("is not known; use one of {}", fmt::join(getIntegratorNames(), ", ")));
+                fmt::format("is not known; use one of {}", join(getIntegratorNames(), ", ")));
 }
 
 std::unique_ptr<Integrator> makeIntegrator(const Mechanism& mechanism, const SimulationOptions& options,

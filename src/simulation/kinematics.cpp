@@ -2,10 +2,9 @@
 // A step predicts positions from velocities and accelerations and corrects them by projection onto the
 // constraints at the new time. Where the correction is large the step is halved, so that the mechanism does
 // not jump to another of its configurations.
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "simulation/equation_access.h"
 #include "simulation/projection.h"

@@ -9,13 +9,13 @@
 // the right side lies in the null space. All matrices are sparse; where all parts are free H is diagonal.
 #include "simulation/position_search.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include "analysis/error_minimum.h"
+#include "linear_algebra/sparse_factor.h"
 
 namespace jprim {
 
@@ -23,7 +23,6 @@ using Eigen::VectorXd;
 using SimTK::Real;
 using SimTK::Stage;
 using SimTK::State;
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 namespace {
 
@@ -46,7 +45,7 @@ SparseMatrix addToDiagonal(const SparseMatrix& M, double value) {
 /// A, inv(H) ~A and S at a State.
 struct PositionSearch::Linearization {
     SparseMatrix A, J, invH_At, S;
-    Eigen::SimplicialLDLT<SparseMatrix> H, factorsOfS;
+    SparseFactor H, factorsOfS;
 
     void factorS(double damping = 0) {
         factorsOfS.compute(addToDiagonal(S, std::max(damping, SmallestDamping)));

@@ -6,6 +6,9 @@
 
 namespace jprim {
 
+/// Of positions that are kept; well below AssemblyTolerance.
+constexpr SimTK::Real ProjectionTolerance = 1e-11;
+
 /// Brings positions, then velocities of a State onto the constraints, by one step of Newton's method at least: a State
 /// that is within the tolerance comes to rounding. Leaves it at Stage::Velocity.
 /// @throws std::exception if the constraints are not met to within the tolerance

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/redundancy.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "analysis/scaled_equations.h"
+#include "base/format.h"
+#include "linear_algebra/orthogonal.h"
+#include "linear_algebra/rank.h"
+#include "linear_algebra/singular_values.h"
 
 namespace jprim {
 
@@ -33,8 +33,7 @@ std::vector<int> selectWeakest(const Mechanism& mechanism, const State& state, c
                                size_t count) {
     const Eigen::MatrixXd A =
         ScaledEquations(mechanism.getMatter(), report.equations, state).calcJacobian(state);
-    const Eigen::VectorXi order =
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(A.transpose()).colsPermutation().indices();
+    const Eigen::VectorXi order = orderByIndependence(A);
     std::vector<int> selected(order.end() - Eigen::Index(count), order.end());
     std::sort(selected.begin(), selected.end());
     return selected;
@@ -80,7 +79,7 @@ Real DroppedEquations::calcStrength(const State& state) const {
     kept.erase(std::remove_if(kept.begin(), kept.end(), isDropped), kept.end());
     if (kept.empty()) return 1;
     const Eigen::MatrixXd A = ScaledEquations(m_mechanism.getMatter(), kept, state).calcJacobian(state);
-    return A.rows() > A.cols() ? 0 : Eigen::BDCSVD<Eigen::MatrixXd>(A).singularValues()[A.rows() - 1];
+    return A.rows() > A.cols() ? 0 : calcSingularValues(A)[A.rows() - 1];
 }
 
 bool DroppedEquations::isWeak(const State& state) const {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/simulation/results.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {
@@ -31,14 +30,14 @@ std::string makeField(const std::string& name) {
 }
 
 void writeTable(const Table& table, const std::filesystem::path& path) {
-    fmt::memory_buffer text;
-    const auto out = std::back_inserter(text);
+    std::string text;
     std::vector<std::string> header;
     for (const std::string& name : table.columns) header.push_back(makeField(name));
-    fmt::format_to(out, "{}\n", fmt::join(header, ","));
+    appendText(text, "{}\n", join(header, ","));
     for (size_t row = 0; row < table.getNumRows(); ++row) {
-        const auto begin = table.values.begin() + std::ptrdiff_t(row * table.columns.size());
-        fmt::format_to(out, "{}\n", fmt::join(begin, begin + std::ptrdiff_t(table.columns.size()), ","));
+        const double* const values = table.values.data() + row * table.columns.size();
+        for (size_t k = 0; k < table.columns.size(); ++k) appendText(text, "{}{}", k > 0 ? "," : "", values[k]);
+        text += '\n';
     }
     std::ofstream file(path, std::ios::binary);
     file.write(text.data(), std::streamsize(text.size()));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/simulation/run_commands.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {

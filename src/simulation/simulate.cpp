@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/simulation/simulate.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include "base/format.h"
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/error.h"
 #include "simulation/energy_watch.h"

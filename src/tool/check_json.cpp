@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What printText() says, for machines. Angles are in radians, lengths in the dataset's unit.
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
+#include "base/format.h"
 #include "tool/check_report.h"
 
 namespace jprim::tool {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <utility>
 
+#include "base/format.h"
 #include "tool/check_report.h"
 
 namespace jprim::tool {
@@ -76,7 +74,7 @@ void Printer::printCounts() const {
             if (!type.empty()) parts.push_back(fmt::format("{} {}", count, type));
         }
         printLine(kind,
-                  parts.empty() ? std::to_string(sum) : fmt::format("{} ({})", sum, fmt::join(parts, ", ")));
+                  parts.empty() ? std::to_string(sum) : fmt::format("{} ({})", sum, join(parts, ", ")));
     }
     printLine("requests", d.requests.size());
 }
@@ -87,7 +85,7 @@ void Printer::printTree() const {
     std::string label = "tree";
     for (const TreeReport::Branch& branch : m_report.tree->branches) {
         const std::string elements =
-            branch.elements.empty() ? "" : fmt::format(": {}", fmt::join(branch.elements, ", "));
+            branch.elements.empty() ? "" : fmt::format(": {}", join(branch.elements, ", "));
         printLine(std::exchange(label, ""),
                   fmt::format("{} on {} by {}{}", branch.part, branch.parent, branch.mobilizer, elements));
     }

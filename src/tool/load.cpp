@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <variant>
 
+#include "base/format.h"
 #include "jprim/dataset/read_dataset.h"
 #include "tool/commands.h"
 

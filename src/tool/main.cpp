@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <climits>
 #include <cstdio>
 #include <map>
 
+#include "base/format.h"
 #include "jprim/base/units.h"
 #include "jprim/simulation/simulate.h"
 #include "jprim/version.h"

@@ -2,11 +2,12 @@
 #ifndef JPRIM_SRC_TOOL_PROGRESS_BAR_H_
 #define JPRIM_SRC_TOOL_PROGRESS_BAR_H_
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <string>
+
+#include "base/format.h"
 
 namespace jprim::tool {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "jprim/base/units.h"
 #include "jprim/flexible/read_mesh.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <cstdio>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "jprim/simulation/equilibrium.h"
 #include "jprim/simulation/run_commands.h"
@@ -21,7 +20,7 @@ void printSummary(const Model& model, const SimulationSummary& s) {
     for (const std::string& equation : s.droppedEquations)
         fmt::print("dropped                  {}\n", equation);
     for (const DroppedAnew& anew : s.droppedAnew)
-        fmt::print("dropped from {:<11.6g} {}\n", anew.time, fmt::join(anew.equations, "; "));
+        fmt::print("dropped from {:<11.6g} {}\n", anew.time, join(anew.equations, "; "));
     fmt::print("worst constraint error   {:.3g} {}, {:.3g} rad{}\n", s.worstViolation.length / units.length,
                getLengthName(model.dataset), s.worstViolation.angle,
                s.worstViolation.element.empty() ? "" : fmt::format(" (at {})", s.worstViolation.element));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/build/build_mechanism.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/format.h"
 #include "build/part_mass.h"
 #include "jprim/base/error.h"
 #include "support/expect_error.h"

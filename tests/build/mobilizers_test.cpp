@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mobilizers in the place of joints: they start where the dataset has the parts, and their coordinates are those
 // of I relative to J, whichever of the two is on the part that moves.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/format.h"
 #include "jprim/marker/angles.h"
 #include "jprim/marker/marker_pair.h"
 #include "support/run_dataset.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loops that the joints in the tree keep in a plane, and what is left of the joint that closes them.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/format.h"
 #include "support/four_bars.h"
 #include "support/run_dataset.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Large mechanisms are built in little memory; how long it takes is written down, not judged.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <ctime>
 
+#include "base/format.h"
 #include "support/run_dataset.h"
 
 namespace jprim {

@@ -2,10 +2,9 @@
 // Which part hangs on which, by what, and what is left as equations.
 #include "build/tree_plan.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "base/format.h"
 #include "jprim/dataset/read_dataset.h"
 #include "support/run_dataset.h"
 
@@ -41,8 +40,8 @@ std::string describe(const TreePlan& plan, const Dataset& dataset) {
         lines.push_back(line);
     }
     if (!plan.constraints.empty())
-        lines.push_back(fmt::format("equations {}", fmt::join(plan.constraints, " ")));
-    return fmt::format("{}", fmt::join(lines, "; "));
+        lines.push_back(fmt::format("equations {}", join(plan.constraints, " ")));
+    return join(lines, "; ");
 }
 
 std::string plan(const std::string& statements) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // REQUESTs as Adams/View writes them: names in quotes, lists over several lines, components left out. And the
 // statements that no motion depends on.
-#include <fmt/format.h>
-
 #include <iterator>
 #include <random>
 
+#include "base/format.h"
 #include "dataset/reading.h"
 
 namespace jprim {

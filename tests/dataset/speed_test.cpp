@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time is linear in the length of the text.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <ctime>
 
+#include "base/format.h"
 #include "jprim/dataset/read_dataset.h"
 #include "jprim/dataset/write_dataset.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sound meshes damaged at random: whatever is wrong is refused by a message that names one of the files, and no
 // wrong term of a matrix passes.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "jprim/flexible/read_mesh.h"
 #include "jprim/flexible/reduce_to_modes.h"

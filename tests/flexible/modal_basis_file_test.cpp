@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files of modes whose checksum fits what they hold, and what they hold cannot be.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "base/format.h"
 #include "jprim/flexible/modal_basis.h"
 #include "jprim/flexible/reduce_to_modes.h"
 #include "support/expect_error.h"

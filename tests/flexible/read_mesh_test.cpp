@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/read_mesh.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "base/format.h"
 #include "jprim/flexible/reduce_to_modes.h"
 #include "support/expect_error.h"
 #include "support/mesh_folder.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/flexible/reduce_to_modes.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "base/format.h"
 #include "jprim/flexible/beam.h"
 #include "support/expect_error.h"
 #include "support/solid_block.h"

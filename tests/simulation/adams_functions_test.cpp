@@ -2,9 +2,9 @@
 // Agreement with Adams/Solver's own results where function expressions constrain or pull. Source of the
 // figures: Project Chrono, data/testing/joints, computed with Adams by its authors; the datasets are our own
 // wording with the same parameters.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/format.h"
 #include "support/adams_reference.h"
 
 namespace jprim {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SFORCE, VFORCE, VTORQUE and GFORCE, and what their functions are made of: VARVAL and splines.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/run_dataset.h"
 

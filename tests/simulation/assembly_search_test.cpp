@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Positions that have to be found: more equations than coordinates, long chains, coordinates that contradict.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/simulation/assemble.h"
 #include "support/expect_error.h"
 #include "support/random_chain.h"

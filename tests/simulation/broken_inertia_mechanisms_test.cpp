@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mechanisms of parts whose moments of inertia no body has: two routes to the same motion, and what such parts must
 // not change: freedoms, kinematics, equilibria and reactions.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/simulation/equilibrium.h"
 #include "support/random_dataset.h"
 #include "support/random_part.h"

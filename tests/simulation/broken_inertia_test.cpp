@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts whose moments of inertia no body has: the motion is what the given numbers say.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/marker/angles.h"
 #include "support/random_part.h"
 #include "support/run_dataset.h"

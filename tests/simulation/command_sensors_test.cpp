@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Command files: when rows are written, where a SIMULATE ends, and sensors over several of them.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/format.h"
 #include "jprim/dataset/commands.h"
 #include "jprim/simulation/run_commands.h"
 #include "support/run_dataset.h"

@@ -2,13 +2,13 @@
 // Two hinges on one axis, three sliders side by side: joints that say what others say already. Whatever becomes of
 // their equations, the mechanism moves as if each joint were there once, and the doubles together carry what the
 // single one does.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <regex>
 
+#include "base/format.h"
 #include "jprim/marker/angles.h"
 #include "jprim/simulation/equilibrium.h"
 #include "support/random_dataset.h"

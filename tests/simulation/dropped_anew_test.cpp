@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mechanisms whose redundant equations change places: no choice of equations to keep is good everywhere.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/marker/angles.h"
 #include "support/run_dataset.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The energy's balance tells of wrong results, and of nothing else: whatever drives and brakes a mechanism, whichever
 // integrator moves it.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 
+#include "base/format.h"
 #include "jprim/jprim.h"
 #include "simulation/energy_watch.h"
 #include "support/driven_dataset.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What GCONs hold: a rolling disc, distances, what a joint would hold as well, and what cannot be held.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/simulation/equilibrium.h"
 #include "support/dataset_units.h"
 #include "support/expect_error.h"

@@ -2,11 +2,11 @@
 // Static equilibria against closed forms.
 #include "jprim/simulation/equilibrium.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/expect_error.h"
 #include "support/run_dataset.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // FLEX_BODY in a dataset, from the file of modes to the results.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 
+#include "base/format.h"
 #include "jprim/flexible/reduce_to_modes.h"
 #include "support/run_dataset.h"
 #include "support/steel_beam.h"

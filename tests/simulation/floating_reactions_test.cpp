@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces with a floating marker: the load on I, and the opposite one on the part of JFLOAT at the place of I.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/format.h"
 #include "support/run_dataset.h"
 
 namespace jprim {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Functions of REQUESTs: loads of elements by each of their names, net loads, Euler parameters.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/run_dataset.h"
 

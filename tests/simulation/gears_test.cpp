@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What couples turns and travels: COUPLER, SCREW and RACKPIN, each as the inertia that its equation makes of
 // several: sum r_i q_i = 0 and Lagrange's multiplier give the accelerations exactly.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/run_dataset.h"
 

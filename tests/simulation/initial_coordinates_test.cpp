@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coordinates given at the start by joints and motions: IC, ICTRAN, ICROT, ICDISP, ICVEL.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/expect_error.h"
 #include "support/run_dataset.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What no motion follows - a force that jumps where a mechanism can go to neither side, a MOTION that jumps or has a kink -
 // ends a run with its name; what only looks like it does not.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/jprim.h"
 #include "support/run_dataset.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What happens within a step that could be long is not stepped over: short pulses, contacts, sensors, at any output step
 // and by any integrator.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/jprim.h"
 #include "support/run_dataset.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What MOTIONs do: laws of time at three levels and in both forms, and the loads that they take.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/run_dataset.h"
 

@@ -2,11 +2,11 @@
 // Reactions that no load explains end a run; those of a toggle near its dead point, large as they are, do not.
 #include "simulation/reaction_watch.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/run_dataset.h"
 
 namespace jprim {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Doubled hinges on slanted axes: driven, and with numbers that a dataset gives to some digits only, so that something
 // is left of equations that say the same twice.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/marker/angles.h"
 #include "support/run_dataset.h"
 

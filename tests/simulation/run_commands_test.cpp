@@ -2,12 +2,12 @@
 // Command files: one State goes through all commands.
 #include "jprim/simulation/run_commands.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/dataset/commands.h"
 #include "support/run_dataset.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A SENSOR ends a run when its function says so: at the moment that an exact solution gives, to within its ERROR.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/run_dataset.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two shafts that meet at an angle: CONVEL turns the second as the first, HOOKE unevenly.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/run_dataset.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jprim/simulation/simulate.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 #include "support/bead_on_swing.h"
 #include "support/expect_error.h"
@@ -75,17 +75,17 @@ TEST(Simulate, ForceRequestsAddWhatActsBetweenTheirMarkers) {
 TEST(Simulate, ColumnsAreNamedAsPromised) {
     const Mechanism mechanism = buildOrFail(testing::makeBeadOnSwing("UNITS/SYSTEM=MKS", 1, 1, 1));
     const Results results = testing::run(mechanism, 0.1, 1, 1e-6).results;
-    const std::string requests = fmt::format("{}", fmt::join(results.requests.columns, " "));
+    const std::string requests = join(results.requests.columns, " ");
     EXPECT_EQ(
         requests,
         "time R1.MAG R1.X R1.Y R1.Z R1.PSI R1.THETA R1.PHI R2.VM R2.VX R2.VY R2.VZ R2.WM R2.WX R2.WY R2.WZ "
         "R3.ACCM R3.ACCX R3.ACCY R3.ACCZ R3.WDTM R3.WDTX R3.WDTY R3.WDTZ "
         "R4.FM R4.FX R4.FY R4.FZ R4.TM R4.TX R4.TY R4.TZ R5.FM R5.FX R5.FY R5.FZ R5.TM R5.TX R5.TY R5.TZ");
-    const std::string reactions = fmt::format("{}", fmt::join(results.reactions.columns, " "));
+    const std::string reactions = join(results.reactions.columns, " ");
     EXPECT_EQ(reactions.substr(0, 70),
               "time JPRIM/2.I.FX JPRIM/2.I.FY JPRIM/2.I.FZ JPRIM/2.I.TX JPRIM/2.I.TY ");
     EXPECT_EQ(results.reactions.columns.size(), 1u + 3 * 12);
-    const std::string parts = fmt::format("{}", fmt::join(results.parts.columns, " "));
+    const std::string parts = join(results.parts.columns, " ");
     EXPECT_EQ(parts.substr(0, 121),
               "time PART/2.X PART/2.Y PART/2.Z PART/2.E0 PART/2.E1 PART/2.E2 PART/2.E3 PART/2.VX PART/2.VY "
               "PART/2.VZ "

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A slider-crank driven by a MOTION, solved without integration and with it, against the exact one.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/run_dataset.h"
 

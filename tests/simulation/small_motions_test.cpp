@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Accuracy is relative to the motion that there is, however small, whatever the unit and the output step.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
+#include "base/format.h"
 #include "jprim/jprim.h"
 #include "support/run_dataset.h"
 

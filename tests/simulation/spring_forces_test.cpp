@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPRINGDAMPER and BUSHING against the oscillations that textbooks give, and what is kept where nothing acts from
 // outside.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "support/dataset_units.h"
 #include "support/run_dataset.h"
 

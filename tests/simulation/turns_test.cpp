@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Angles of datasets that go on for whole turns: through commands, in statics, and in run after run.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/format.h"
 #include "jprim/dataset/commands.h"
 #include "jprim/simulation/equilibrium.h"
 #include "jprim/simulation/run_commands.h"

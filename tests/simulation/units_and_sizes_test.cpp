@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Neither the units of a dataset nor the size of a mechanism changes its physics.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/format.h"
 #include "support/bead_on_swing.h"
 #include "support/run_dataset.h"
 

@@ -2,9 +2,9 @@
 #ifndef JPRIM_TESTS_SUPPORT_BEAD_ON_SWING_H_
 #define JPRIM_TESTS_SUPPORT_BEAD_ON_SWING_H_
 
-#include <fmt/format.h>
-
 #include <string>
+
+#include "base/format.h"
 
 namespace jprim::testing {
 

@@ -2,13 +2,14 @@
 #ifndef JPRIM_TESTS_SUPPORT_DATASET_UNITS_H_
 #define JPRIM_TESTS_SUPPORT_DATASET_UNITS_H_
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include "base/format.h"
 
 namespace jprim::testing {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/driven_dataset.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include "base/format.h"
 
 namespace jprim::testing {
 

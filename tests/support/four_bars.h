@@ -2,10 +2,10 @@
 #ifndef JPRIM_TESTS_SUPPORT_FOUR_BARS_H_
 #define JPRIM_TESTS_SUPPORT_FOUR_BARS_H_
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <string>
+
+#include "base/format.h"
 
 namespace jprim::testing {
 

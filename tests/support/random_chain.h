@@ -2,12 +2,11 @@
 #ifndef JPRIM_TESTS_SUPPORT_RANDOM_CHAIN_H_
 #define JPRIM_TESTS_SUPPORT_RANDOM_CHAIN_H_
 
-#include <fmt/format.h>
-
 #include <random>
 #include <string>
 #include <vector>
 
+#include "base/format.h"
 #include "jprim/marker/angles.h"
 
 namespace jprim::testing {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/random_dataset.h"
 
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "jprim/marker/angles.h"
 
 namespace jprim::testing {

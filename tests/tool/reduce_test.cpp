@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `jprim reduce`, run as a user runs it.
-#include <fmt/format.h>
-
+#include "base/format.h"
 #include "tool/tool_fixture.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "analysis/rank.h"
+#include "linear_algebra/rank.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef JPRIM_SRC_ANALYSIS_RANDOM_VECTOR_H_
-#define JPRIM_SRC_ANALYSIS_RANDOM_VECTOR_H_
+#ifndef JPRIM_SRC_LINEAR_ALGEBRA_RANDOM_VECTOR_H_
+#define JPRIM_SRC_LINEAR_ALGEBRA_RANDOM_VECTOR_H_
 
 #include <Eigen/Core>
 #include <random>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "analysis/rank.h"
+#include "linear_algebra/rank.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <functional>
 #include <numeric>
 #include <random>
 
-#include "analysis/random_vector.h"
+#include "linear_algebra/random_vector.h"
+#include "linear_algebra/singular_values.h"
 
 namespace jprim {
 
@@ -78,18 +78,19 @@ Decomposition::Decomposition(const MatrixXd& A, Vectors vectors, double uncertai
     : m_numRows(int(A.rows())), m_numColumns(int(A.cols())), m_blocks(findBlocks(A)) {
     std::vector<double> all;
     for (const Block& block : m_blocks) {
-        const int options = vectors == Vectors::Both ? Eigen::ComputeFullU | Eigen::ComputeFullV : 0;
         if (block.columns.empty()) {
             m_values.emplace_back();
             m_leftNull.push_back(MatrixXd::Identity(1, 1));
             m_rightNull.emplace_back(0, 0);
             continue;
         }
-        const Eigen::BDCSVD<MatrixXd> svd(A(block.rows, block.columns), options);
-        m_values.push_back(svd.singularValues());
-        all.insert(all.end(), m_values.back().begin(), m_values.back().end());
-        m_leftNull.push_back(vectors == Vectors::Both ? svd.matrixU() : MatrixXd());
-        m_rightNull.push_back(vectors == Vectors::Both ? svd.matrixV() : MatrixXd());
+        const MatrixXd part = A(block.rows, block.columns);
+        const SingularValues svd =
+            vectors == Vectors::Both ? decompose(part) : SingularValues{calcSingularValues(part), {}, {}};
+        m_values.push_back(svd.values);
+        all.insert(all.end(), svd.values.begin(), svd.values.end());
+        m_leftNull.push_back(svd.U);
+        m_rightNull.push_back(svd.V);
     }
     std::sort(all.begin(), all.end(), std::greater<>());
     m_decision = decideRank(all, uncertainty);
