@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace jprim {
@@ -12,14 +10,6 @@ namespace jprim {
 void ReadState::addError(std::size_t statement, SourcePosition where, std::string message) {
     outcomes[statement] = Outcome::Error;
     diagnostics.push_back({Severity::Error, where, std::move(message)});
-}
-
-void sortByPosition(std::size_t first, Diagnostics& diagnostics) {
-    std::stable_sort(diagnostics.begin() + static_cast<std::ptrdiff_t>(first), diagnostics.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) {
-                         return std::tie(a.where.line, a.where.column) <
-                                std::tie(b.where.line, b.where.column);
-                     });
 }
 
 std::string Owner::getName() const {
