@@ -12,6 +12,7 @@
 #include "jprim/base/error.h"
 #include "jprim/base/units.h"
 #include "jprim/build/build_mechanism.h"
+#include "jprim/build/find_mistakes.h"
 #include "jprim/build/mechanism.h"
 #include "jprim/dataset/commands.h"
 #include "jprim/dataset/constraint_statements.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "base/text.h"
 
@@ -25,7 +26,37 @@ std::size_t countSlips(std::string_view a, std::string_view b) {
     return slips[b.size()];
 }
 
+namespace {
+
+// "F" and 9 of F9; 0 if no number ends it.
+std::pair<std::string, int> splitNumber(std::string_view word) {
+    std::size_t end = word.size();
+    while (end > 0 && isDigit(word[end - 1])) --end;
+    int number = 0;
+    for (std::size_t k = end; k < std::min(word.size(), end + 3); ++k) number = 10 * number + (word[k] - '0');
+    return {toUpperCase(word.substr(0, end)), number};
+}
+
+// "; there are F1 to F8" for a word that differs from such names by its number only: none of them is nearer.
+std::string suggestNumbers(const std::vector<std::string>& names, std::string_view word) {
+    const auto [stem, own] = splitNumber(word);
+    int least = 0, most = 0;
+    for (const std::string& name : names) {
+        const auto [other, number] = splitNumber(name);
+        if (other != stem || number == 0) continue;
+        least = least == 0 ? number : std::min(least, number);
+        most = std::max(most, number);
+    }
+    return own == 0 || least == most
+               ? ""
+               : "; there are " + stem + std::to_string(least) + " to " + stem + std::to_string(most);
+}
+
+}  // namespace
+
 std::string suggestNearest(const std::vector<std::string>& names, std::string_view word) {
+    const std::string numbers = suggestNumbers(names, word);
+    if (!numbers.empty()) return numbers;
     // One slip in a short word, two in a longer one; never so many that nothing of the word is left.
     std::size_t least = std::min<std::size_t>(word.size(), word.size() < 6 ? 2 : 3);
     const std::string* nearest = nullptr;

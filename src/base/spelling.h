@@ -13,7 +13,8 @@ namespace jprim {
 /// matter. Long words are not compared: more than 24 letters count as 24 slips.
 std::size_t countSlips(std::string_view a, std::string_view b);
 
-/// "; did you mean NAME?" for the name nearest to a misspelt word, the first of equals; empty if none is near.
+/// "; did you mean NAME?" for the name nearest to a misspelt word, the first of equals; empty if none is near. Of names
+/// that differ by their number only, "; there are F1 to F8".
 std::string suggestNearest(const std::vector<std::string>& names, std::string_view word);
 
 }  // namespace jprim

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of MechanismBuilder that makes flexible bodies and the markers on them.
 #include <algorithm>
-#include <filesystem>
 
 #include "base/format.h"
 #include "build/mechanism_builder.h"
@@ -11,18 +10,6 @@ namespace jprim {
 
 using SimTK::Transform;
 using SimTK::Vec3;
-
-// A file of modes is in SI, and must be there before the mechanism's unit of length can be chosen.
-void MechanismBuilder::loadModes() {
-    for (const FlexBodyStatement& body : m_dataset.flexBodies) {
-        const std::filesystem::path file = std::filesystem::path(m_dataset.folder) / body.modesFile;
-        try {
-            m_modes[body.id] = loadModalBasis(file.string());
-        } catch (const Error& error) {
-            report(Severity::Error, body.where, fmt::format("FLEX_BODY/{}: {}", body.id, error.what()));
-        }
-    }
-}
 
 // QP, or for a marker on a node the node's place if there is no QP.
 std::optional<Triple> MechanismBuilder::findOrigin(const MarkerStatement& marker) {

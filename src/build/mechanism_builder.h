@@ -9,11 +9,12 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/sort_diagnostics.h"
 #include "build/function_writer.h"
+#include "build/load_modes.h"
 #include "build/part_mass.h"
 #include "build/planar_loops.h"
 #include "build/tree_plan.h"
-#include "dataset/read_state.h"
 #include "jprim/base/diagnostic.h"
 #include "jprim/base/error.h"
 #include "jprim/build/build_mechanism.h"
@@ -49,7 +50,9 @@ private:
     void addBodies() {
         chooseUnits();
         indexParts();
-        loadModes();
+        m_modes = loadModes(m_dataset, [this](const SourcePosition& where, const std::string& message) {
+            report(Severity::Error, where, message);
+        });
         findMarkerPoses();
         chooseLengthUnit();
         addGravity();
@@ -99,7 +102,6 @@ private:
     void chooseUnits();
     void applyUcf(const UnitsStatement& statement);
     void indexParts();
-    void loadModes();
     void findMarkerPoses();
     std::optional<Triple> findOrigin(const MarkerStatement& marker);
     void chooseLengthUnit();
@@ -153,7 +155,7 @@ private:
     template <class Build>
     void attempt(const std::string& element, const SourcePosition& where, const Build& build) {
         try {
-            build();
+            return build();
         } catch (const FunctionError& error) {
             report(Severity::Error, error.where, element + ": " + error.what());
         } catch (const Error& error) {
@@ -163,6 +165,7 @@ private:
             std::replace(text.begin(), text.end(), '\n', ' ');
             report(Severity::Error, where, element + ": " + text);
         }
+        m_functions.addUnknownLoad(element);
     }
 
     /// An expression of functions of the dataset. @throws FunctionError
@@ -204,7 +207,7 @@ private:
     SimTK::Real m_lightestMass = 1;
     std::vector<NegativeMoment> m_negativeMoments;
     FunctionContext m_functions;
-    std::unordered_map<int, ModalBasis> m_modes;  // by FLEX_BODY; in SI until it is added
+    ModesOfBodies m_modes;  // in SI until the body is added
 };
 
 }  // namespace jprim

@@ -39,6 +39,11 @@ Real getUnit(const UnitSystem& units, int component) {
 
 }  // namespace
 
+void FunctionContext::addUnknownLoad(const std::string& element) {
+    const LoadFunction none = [](const State&) { return SpatialVec(Vec3(0), Vec3(0)); };
+    elements.push_back({element, 0, 0, none, none, false});
+}
+
 std::optional<Operand> MechanismVocabulary::call(ProgramBuilder& builder, const Call& call) {
     if (call.name == "VARVAL") return MarkerVocabulary::call(builder, call);
     const std::optional<Operand> value = makeMeasure(builder, call);

@@ -21,6 +21,9 @@ struct FunctionContext {
     std::unordered_map<int, const VariableStatement*> variables;
     std::unordered_map<int, InterpolatingSpline> splines;
     std::set<int> floatingMarkers;
+
+    /// Lets functions mention the load of an element that has a mistake of its own.
+    void addUnknownLoad(const std::string& element);
 };
 
 /// What a function is for, which decides what it may depend on.

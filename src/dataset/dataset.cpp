@@ -116,7 +116,6 @@ const char* pick(const char* const (&names)[N], Enum value) {
 
 }  // namespace
 
-// Folder and counts tell how reading went and are no part of what the dataset says.
 bool operator==(const Dataset& a, const Dataset& b) {
     return a.title == b.title && equal(a.units, b.units) && equal(a.gravity, b.gravity) &&
            equal(a.parts, b.parts) && equal(a.pointMasses, b.pointMasses) &&

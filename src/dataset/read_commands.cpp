@@ -3,9 +3,10 @@
 #include <utility>
 
 #include "base/format.h"
+#include "base/read_file.h"
+#include "base/sort_diagnostics.h"
 #include "base/text.h"
 #include "dataset/command_rules.h"
-#include "dataset/input_file.h"
 #include "dataset/statement_lexer.h"
 #include "dataset/statements.h"
 
@@ -136,10 +137,13 @@ CommandFile readCommands(std::string_view text, Diagnostics& diagnostics) {
 }
 
 CommandFile readCommandFile(const std::string& path, Diagnostics& diagnostics) {
-    const InputFile input(path, diagnostics);
-    if (!input.good) return {};
-    CommandFile file = readCommands(input.text, diagnostics);
-    file.folder = input.folder;
+    const std::optional<std::string> text = readFile(path);
+    if (!text) {
+        diagnostics.push_back({Severity::Error, {}, UnreadableFile});
+        return {};
+    }
+    CommandFile file = readCommands(*text, diagnostics);
+    file.folder = getFolder(path);
     return file;
 }
 

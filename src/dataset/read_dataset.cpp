@@ -2,8 +2,9 @@
 #include "jprim/dataset/read_dataset.h"
 
 #include "base/format.h"
+#include "base/read_file.h"
+#include "base/sort_diagnostics.h"
 #include "base/text.h"
-#include "dataset/input_file.h"
 #include "dataset/read_state.h"
 #include "dataset/statement_lexer.h"
 #include "dataset/statement_reader.h"
@@ -64,6 +65,15 @@ StatementCounts countOutcomes(const std::vector<Outcome>& outcomes) {
     return counts;
 }
 
+std::set<std::string> findFaulty(const ReadState& state) {
+    std::set<std::string> names;
+    for (const auto& [keyword, ids] : state.ids)
+        for (const auto& [id, entry] : ids)
+            if (state.outcomes[entry.statement] == Outcome::Error)
+                names.insert(fmt::format("{}/{}", keyword, id));
+    return names;
+}
+
 }  // namespace
 
 Dataset readDataset(std::string_view text, Diagnostics& diagnostics) {
@@ -83,14 +93,18 @@ Dataset readDataset(std::string_view text, Diagnostics& diagnostics) {
     checkEnd(state, ended, ended ? statement.getPosition(0) : lexer.getPosition());
     sortByPosition(earlier, diagnostics);
     state.dataset.counts = countOutcomes(state.outcomes);
+    state.dataset.faulty = findFaulty(state);
     return std::move(state.dataset);
 }
 
 Dataset readDatasetFile(const std::string& path, Diagnostics& diagnostics) {
-    const InputFile file(path, diagnostics);
-    if (!file.good) return {};
-    Dataset dataset = readDataset(file.text, diagnostics);
-    dataset.folder = file.folder;
+    const std::optional<std::string> text = readFile(path);
+    if (!text) {
+        diagnostics.push_back({Severity::Error, {}, UnreadableFile});
+        return {};
+    }
+    Dataset dataset = readDataset(*text, diagnostics);
+    dataset.folder = getFolder(path);
     return dataset;
 }
 

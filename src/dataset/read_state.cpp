@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dataset/read_state.h"
 
-#include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "base/format.h"
@@ -12,14 +10,6 @@ namespace jprim {
 void ReadState::addError(std::size_t statement, SourcePosition where, std::string message) {
     outcomes[statement] = Outcome::Error;
     diagnostics.push_back({Severity::Error, where, std::move(message)});
-}
-
-void sortByPosition(std::size_t first, Diagnostics& diagnostics) {
-    std::stable_sort(diagnostics.begin() + static_cast<std::ptrdiff_t>(first), diagnostics.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) {
-                         return std::tie(a.where.line, a.where.column) <
-                                std::tie(b.where.line, b.where.column);
-                     });
 }
 
 std::string Owner::getName() const {

@@ -29,6 +29,7 @@ struct Owner {
 
 /// Where the statement with an id stands, and what is known of it if it is a MARKER.
 struct IdEntry {
+    std::size_t statement = 0;  ///< counts the file's statements from 0
     int line = 0;
     Owner owner;
     bool floating = false;
@@ -83,9 +84,6 @@ struct ReadState {
 
     void addError(std::size_t statement, SourcePosition where, std::string message);
 };
-
-/// Brings the diagnostics from this one on into the order of the file: what is checked last may stand first.
-void sortByPosition(std::size_t first, Diagnostics& diagnostics);
 
 /// Checks that every reference names what exists and what it may name.
 void checkReferences(ReadState& state);

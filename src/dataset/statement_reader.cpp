@@ -88,7 +88,8 @@ bool StatementReader::readHead(std::string_view fullKeyword, bool hasId) {
 void StatementReader::registerId(const Owner& owner, bool floating) {
     if (m_id == 0) return;
     const SourcePosition here = getPosition();
-    const auto [entry, isNew] = m_state.ids[m_keyword].try_emplace(m_id, IdEntry{here.line, owner, floating});
+    const auto [entry, isNew] =
+        m_state.ids[m_keyword].try_emplace(m_id, IdEntry{m_number, here.line, owner, floating});
     if (!isNew)
         addError(0, fmt::format("{} is already given in line {}; choose another id", getName(),
                                 entry->second.line));

@@ -53,8 +53,10 @@ const std::vector<StatementRule>& getStatementRules() {
         {"CONTACT", 3},
         {"CURVE", 3},
         {"CVCV", 2},
+        {"CVSF", ExactOnly},
         {"DIFF", 3},
         {"ENVIRONMENT", 3},
+        {"EXTERNAL_SYSTEM", 3},
         {"FE_LOAD", 4},
         {"FE_NODE", 4},
         {"FE_PART", 2},
@@ -69,6 +71,8 @@ const std::vector<StatementRule>& getStatementRules() {
         {"NFORCE", 2},
         {"PLANT_STATE", 2},
         {"PTCV", 2},
+        {"PTSF", ExactOnly},
+        {"SFSF", ExactOnly},
         {"SURFACE", 2},
         {"TFSISO", 2},
         {"TIRE", 2},
@@ -96,11 +100,12 @@ void readPlantVariables(StatementReader& reader) {
     readIgnored(reader);
     if (reader.hasErrors()) return;
     const bool isInput = reader.getKeyword() == "PINPUT";
-    reader.addWarning(
-        0, fmt::format("{} is ignored: it lists {} for LINEAR and for control systems ({}), and no "
-                       "motion depends on it",
-                       reader.getName(), isInput ? "inputs" : "outputs",
-                       reader.updState().dataset.ignored.back().arguments));
+    const std::string& listed = reader.updState().dataset.ignored.back().arguments;
+    reader.addWarning(0,
+                      fmt::format("{} is ignored: it lists {} for LINEAR and for control systems{}, and no "
+                                  "motion depends on it",
+                                  reader.getName(), isInput ? "inputs" : "outputs",
+                                  listed.empty() ? "" : fmt::format(" ({})", listed)));
 }
 
 }  // namespace jprim

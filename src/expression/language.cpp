@@ -168,9 +168,11 @@ std::vector<std::string> getLanguageNames() {
 
 bool isKnownToAdamsOnly(std::string_view name) {
     static constexpr std::string_view names[] = {
-        "ARYVAL", "BEAM",     "CONTACT", "CURVE",  "CVCV",   "DELAY",  "DIF",  "DIF1",
-        "FIELD",  "FRICTION", "FXFREQ",  "FXMODE", "INTERP", "INVPSD", "MODE", "NFORCE",
-        "PINVAL", "POUVAL",   "PTCV",    "SENVAL", "SWEEP",  "USER"};
+        "ARRAY",  "ARYVAL", "BEAM",   "CLEARANCE", "CONTACT", "COUPLER", "CURVE",    "CVCV",
+        "CVSF",   "DELAY",  "DIF",    "DIF1",      "FE_LOAD", "FIELD",   "FRICTION", "FXFREQ",
+        "FXMODE", "GSE",    "INTERP", "INVPSD",    "LSE",     "MATRIX",  "MFORCE",   "MODE",
+        "NFORCE", "PINVAL", "POUVAL", "PTCV",      "PTSF",    "SENVAL",  "SFSF",     "SURFACE",
+        "SWEEP",  "TFSISO", "TIRE",   "UCON",      "USER"};
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 

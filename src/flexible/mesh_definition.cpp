@@ -57,8 +57,9 @@ private:
     int m_parts = 0;
     Vec3 m_translation{0};
     bool m_isTranslated = false;
-    Ids* m_set = nullptr;          // the set the block of nodes or elements adds to
-    std::optional<int> m_element;  // whose nodes are not complete yet
+    bool m_lacksCoordinates = false;  // a node had less than three, and it was said
+    Ids* m_set = nullptr;             // the set the block of nodes or elements adds to
+    std::optional<int> m_element;     // whose nodes are not complete yet
     std::string m_elementType;
 };
 
@@ -120,6 +121,12 @@ void DefinitionReader::readNode() {
     const auto& fields = m_file.getFields();
     const int id = m_file.readId(fields[0], "a node's id");
     if (m_sets.isInAssembly()) return m_sets.addOwnNode(id);
+    if (fields.size() < 4 && !m_lacksCoordinates) {
+        m_lacksCoordinates = true;
+        m_mesh.warnings.push_back(
+            fmt::format("{}: node {} has {} coordinates; those not given are taken as 0", m_file.getWhere(),
+                        id, fields.size() - 1));
+    }
     Vec3 position(0);
     for (std::size_t k = 1; k < std::min<std::size_t>(fields.size(), 4); ++k)
         position[int(k) - 1] = m_file.readReal(fields[k]);

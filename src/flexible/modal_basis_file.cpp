@@ -5,12 +5,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
-#include <sstream>
 
 #include "base/format.h"
+#include "base/read_file.h"
 #include "jprim/base/error.h"
 #include "jprim/flexible/modal_basis.h"
 #include "linear_algebra/conversion.h"
@@ -26,6 +26,7 @@ namespace {
 constexpr std::string_view Kind = "jprim-modes";
 constexpr int Version = 1;
 constexpr std::string_view ChecksumWord = "checksum ";
+constexpr double Largest = 1e100;  // of all numbers, so that their squares and products are numbers too
 
 // FNV-1a, 64 bits: http://www.isthe.com/chongo/tech/comp/fnv
 std::uint64_t calcChecksum(std::string_view text) {
@@ -34,11 +35,12 @@ std::uint64_t calcChecksum(std::string_view text) {
     return hash;
 }
 
-// Copies by way of Windows end lines with CR LF.
-std::string endLinesWithLf(std::string_view text) {
+// Copies by way of other programs end lines with CR LF, or lose the last end of a line.
+std::string undoCopying(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i)
         if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') result += text[i];
+    if (!result.empty() && result.back() != '\n') result += '\n';
     return result;
 }
 
@@ -118,6 +120,7 @@ public:
         for (int i = 0; i < nodes; ++i) b.nodes.push_back(takeNode(modes));
         expect("checksum");
         checkIds(b);
+        checkCenter(b);
         return b;
     }
 
@@ -160,8 +163,26 @@ private:
         for (const ModalNode& node : b.nodes)
             if (!ids.insert(node.id).second)
                 throw Error(m_file, fmt::format("node {} is given twice", node.id));
-        for (const int id : b.interfaces)
+        std::set<int> interfaces;
+        for (const int id : b.interfaces) {
             if (ids.count(id) == 0) throw Error(m_file, fmt::format("interface {} is none of the nodes", id));
+            if (!interfaces.insert(id).second)
+                throw Error(m_file, fmt::format("interface {} is given twice", id));
+        }
+    }
+
+    // Nodes are parts of the body, which is about as large as its radius of gyration.
+    void checkCenter(const ModalBasis& b) const {
+        constexpr double Absurd = 1000;
+        double nearest = SimTK::Infinity, size = std::sqrt(b.rigid.inertia.trace() / b.rigid.mass);
+        for (const ModalNode& node : b.nodes) {
+            nearest = std::min(nearest, double((node.position - b.rigid.center).norm()));
+            size = std::max(size, double((node.position - b.nodes.front().position).norm()));
+        }
+        if (b.nodes.empty() || nearest <= Absurd * size) return;
+        throw Error(m_file,
+                    fmt::format("the mass centre is {:.3g} m away from all nodes of a body of {:.3g} m",
+                                nearest, size));
     }
 
     std::string_view takeWord() {
@@ -192,12 +213,14 @@ private:
         if (error != std::errc() || end != word.data() + word.size())
             fail(fmt::format("a number is expected, not '{}'", word));
         if (!std::isfinite(double(value))) fail(fmt::format("a finite number is expected, not '{}'", word));
+        if (std::abs(double(value)) > Largest) fail(fmt::format("{} is too large to calculate with", word));
         return value;
     }
 
     double takePositive(const char* what) {
         const double value = take<double>();
         if (!(value > 0)) fail(fmt::format("{} is {}; it must be positive", what, value));
+        if (value < 1 / Largest) fail(fmt::format("{} is {}, too small to calculate with", what, value));
         return value;
     }
 
@@ -265,11 +288,9 @@ void saveModalBasis(const ModalBasis& basis, const std::string& file) {
 }
 
 ModalBasis loadModalBasis(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file)) throw Error(file, "cannot be opened");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    const std::string content = endLinesWithLf(text.str());
+    const std::optional<std::string> text = readFile(file);
+    if (!text) throw Error(file, "cannot be opened");
+    const std::string content = undoCopying(*text);
     return Reader(content, file).read();
 }
 

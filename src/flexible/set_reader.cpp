@@ -60,8 +60,10 @@ void SetReader::readMembers() {
     for (const std::string_view field : m_file.getFields()) {
         if (field.empty()) continue;
         const std::string_view member = sets.dropInstance(field);
-        if (isDigit(member.front())) {
-            addMember(m_file.readId(member, "an id"), member.size() < field.size());
+        if (isDigit(member.front()) || member.front() == '-' || member.front() == '+') {
+            addMember(
+                m_file.readId(member, isOfNodes() ? "the number of a node" : "the number of an element"),
+                member.size() < field.size());
         } else {
             const Ids added = findSet(field, sets);
             m_set->insert(m_set->end(), added.begin(), added.end());
@@ -75,8 +77,12 @@ void SetReader::readRange() {
     const int first = m_file.readId(fields[0], "an id");
     const int last = fields.size() > 1 ? m_file.readId(fields[1], "an id") : first;
     const int step = fields.size() > 2 ? m_file.readId(fields[2], "a step") : 1;
-    if (last < first || step < 1 || (std::int64_t(last) - first) / step >= most)
+    if (last < first || step < 1)
         m_file.fail(fmt::format("cannot go from {} to {} in steps of {}", first, last, step));
+    const std::int64_t count = (std::int64_t(last) - first) / step + 1;
+    if (count > most)
+        m_file.fail(
+            fmt::format("goes from {} to {}, over {} numbers; at most {} can be", first, last, count, most));
     for (std::int64_t id = first; id <= last; id += step) addMember(int(id), false);
 }
 

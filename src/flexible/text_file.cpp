@@ -3,30 +3,22 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "base/format.h"
+#include "base/read_file.h"
 #include "base/text.h"
 #include "jprim/base/error.h"
 
 namespace jprim {
 namespace {
 
-constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";  // that editors put before UTF-8
-
 std::string readText(const std::string& path, const std::string& remedy) {
-    std::error_code code;  // a folder has no size, although it can be opened
-    const std::uintmax_t size = std::filesystem::file_size(path, code);
-    std::string text(code ? 0 : static_cast<std::size_t>(size), '\0');
-    std::ifstream file(path, std::ios::binary);
-    if (!code) file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (code || !file) throw Error(path, "cannot read the file; " + remedy);
-    if (text.empty()) throw Error(path, "the file is empty; " + remedy);
-    if (text.find('\0') != text.npos) throw Error(path, "the file is no plain text; " + remedy);
-    if (text.compare(0, ByteOrderMark.size(), ByteOrderMark) == 0) text.erase(0, ByteOrderMark.size());
-    return text;
+    std::optional<std::string> text = readFile(path);
+    if (!text) throw Error(path, "cannot read the file; " + remedy);
+    if (text->empty()) throw Error(path, "the file is empty; " + remedy);
+    if (text->find('\0') != text->npos) throw Error(path, "the file is no plain text; " + remedy);
+    return *std::move(text);
 }
 
 // Takes the word up to the next blank off the front of the text. Numbers may carry a plus sign, of which

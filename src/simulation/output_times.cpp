@@ -19,17 +19,23 @@ bool isWhole(double number) {
 
 OutputTimes::OutputTimes(const SimulationOptions& options, double start)
     : m_start(start), m_end(options.end), m_numSteps(options.steps) {
+    if (options.steps > MostOutputSteps)
+        throw Error("steps",
+                    fmt::format("{} are too many, because all rows are kept in memory; at most {} can be",
+                                options.steps, MostOutputSteps));
     if (options.steps == 0 || !options.outputStep) return;
-    constexpr double MostSteps = 1e9;
     const double step = *options.outputStep;
     if (!(step > 0) || !std::isfinite(step))
         throw Error("output step", fmt::format("{} is not a positive time", step));
     const double quotient = (m_end - start) / step;
     const double count = isWhole(quotient) ? std::round(quotient) : std::floor(quotient) + 1;
-    if (count > MostSteps)
-        throw Error("output step",
-                    fmt::format("{} is too short for a run from {} to {}: it has more than {} steps", step,
-                                start, m_end, MostSteps));
+    if (count > MostOutputSteps)
+        throw Error(
+            "output step",
+            fmt::format(
+                "{} is too short for a run from {} to {}: all {:.0f} rows would be kept in memory; at "
+                "most {} can be",
+                step, start, m_end, count + 1, MostOutputSteps));
     m_step = isWhole(quotient) ? 0 : step;
     m_numSteps = int(count);
 }

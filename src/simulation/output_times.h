@@ -10,7 +10,7 @@ namespace jprim {
 /// steps, or at multiples of the output step counted from the start.
 class OutputTimes {
 public:
-    /// @throws Error if the output step is not a positive time, or so short that there are more than 10^9
+    /// @throws Error if the output step is not a positive time, or there are more than MostOutputSteps
     OutputTimes(const SimulationOptions& options, double start);
 
     int getNumSteps() const { return m_numSteps; }

@@ -40,7 +40,7 @@ Recorder::Recorder(const Mechanism& mechanism) : m_mechanism(mechanism) {
     const double second = m_mechanism.getUnits().time;
     for (Table* table : {&m_results.requests, &m_results.reactions, &m_results.parts})
         addGroup(*table, "", {{"time", second}}, [](const State& s, double* out) { *out = s.getTime(); });
-    for (const MechanismRequest& request : m_mechanism.getRequests()) addRequest(request);
+    addRequests();
     for (const LoadElement& element : m_mechanism.getLoadElements()) addReactions(element);
     for (const MechanismPart& part : m_mechanism.getParts()) {
         if (part.ground) continue;
@@ -52,7 +52,7 @@ Recorder::Recorder(const Mechanism& mechanism) : m_mechanism(mechanism) {
 
 void Recorder::addGroup(Table& table, const std::string& prefix, const std::vector<Column>& columns,
                         std::function<void(const State&, double*)> calcInSI) {
-    Group group{&table, {}, std::move(calcInSI)};
+    Group group{&table, {}, std::move(calcInSI), {}};
     for (const Column& column : columns) {
         table.columns.push_back(prefix + column.name);
         group.unitsInSI.push_back(column.unitInSI);
@@ -61,13 +61,27 @@ void Recorder::addGroup(Table& table, const std::string& prefix, const std::vect
 }
 
 void Recorder::record(const State& state) {
-    for (const Group& group : m_groups) {
+    for (Group& group : m_groups) {
         std::vector<double>& values = group.table->values;
         const size_t first = values.size();
         values.resize(first + group.unitsInSI.size());
         group.calcInSI(state, &values[first]);
         for (size_t k = 0; k < group.unitsInSI.size(); ++k) values[first + k] /= group.unitsInSI[k];
+        watch(group, first);
     }
+}
+
+// Once for each request: one value that is none mostly brings others.
+void Recorder::watch(Group& group, size_t first) {
+    if (group.request.empty()) return;
+    const Table& table = *group.table;
+    const auto bad = std::find_if(table.values.begin() + std::ptrdiff_t(first), table.values.end(),
+                                  [](double value) { return !std::isfinite(value); });
+    if (bad == table.values.end()) return;
+    const size_t index = size_t(bad - table.values.begin()), row = index - index % table.columns.size();
+    m_notFinite.push_back(
+        {group.request, table.columns[index % table.columns.size()], *bad, table.values[row]});
+    group.request.clear();
 }
 
 //-------------------------------------------------------------------------------------------- requests
@@ -93,54 +107,85 @@ void calcForce(const MechanismRequest& r, const State& s, double* out) {
     putInAxes(sum, s, r.rm, out);
 }
 
+// In the dataset's units already.
+void calcFunctions(const MechanismRequest& r, const State& s, double* out) {
+    for (const auto& [number, function] : r.functions) *out++ = function.calcValue(s);
+}
+
+// Of each component that the request has, its number and its name where the dataset gives none.
+std::vector<std::pair<int, std::string>> listComponents(const MechanismRequest& request) {
+    std::vector<std::pair<int, std::string>> components;
+    const auto add = [&components](std::initializer_list<const char*> names) {
+        int number = 0;
+        for (const char* name : names)
+            if (++number; *name) components.emplace_back(number, name);
+    };
+    switch (request.type) {
+        case RequestType::Displacement: add({"MAG", "X", "Y", "Z", "", "PSI", "THETA", "PHI"}); break;
+        case RequestType::Velocity: add({"VM", "VX", "VY", "VZ", "WM", "WX", "WY", "WZ"}); break;
+        case RequestType::Acceleration:
+            add({"ACCM", "ACCX", "ACCY", "ACCZ", "WDTM", "WDTX", "WDTY", "WDTZ"});
+            break;
+        case RequestType::Force: add({"FM", "FX", "FY", "FZ", "TM", "TX", "TY", "TZ"}); break;
+        case RequestType::Expressions:
+            for (const auto& [number, function] : request.functions)
+                components.emplace_back(number, fmt::format("F{}", number));
+    }
+    return components;
+}
+
+std::string makePlainName(const MechanismRequest& request, const std::string& usual) {
+    return fmt::format("R{}.{}", request.id, usual);
+}
+
 }  // namespace
 
 // By RESULTS_NAME and CNAMES where they are given. Requests may share the one and repeat the others; a name that is
-// taken gives way to the one that the component has without them.
-std::string Recorder::nameComponent(const MechanismRequest& request, int component,
-                                    const std::string& usual) {
-    const bool isNamed =
-        size_t(component) <= request.cnames.size() && !request.cnames[size_t(component) - 1].empty();
-    const std::string plain = fmt::format("R{}", request.id);
-    std::string name = (request.resultsName.empty() ? plain : request.resultsName) + "." +
-                       (isNamed ? request.cnames[size_t(component) - 1] : usual);
-    if (m_requestColumns.count(name) > 0) name = plain + "." + usual;
-    while (!m_requestColumns.insert(name).second) name += '_';
-    return name;
+// taken, or that another component has without them, gives way to the plain one.
+std::vector<std::string> Recorder::nameComponents(const MechanismRequest& request) {
+    std::vector<std::string> names;
+    for (const auto& [number, usual] : listComponents(request)) {
+        const bool isNamed =
+            size_t(number) <= request.cnames.size() && !request.cnames[size_t(number) - 1].empty();
+        const std::string plain = makePlainName(request, usual);
+        std::string name =
+            (request.resultsName.empty() ? fmt::format("R{}", request.id) : request.resultsName) + "." +
+            (isNamed ? request.cnames[size_t(number) - 1] : usual);
+        if (m_requestColumns.count(name) > 0) name = plain;
+        m_requestColumns.insert(name);
+        names.push_back(name);
+    }
+    return names;
+}
+
+void Recorder::addRequests() {
+    for (const MechanismRequest& request : m_mechanism.getRequests())
+        for (const auto& [number, usual] : listComponents(request))
+            m_requestColumns.insert(makePlainName(request, usual));
+    for (const MechanismRequest& request : m_mechanism.getRequests()) {
+        addRequest(request);
+        m_groups.back().request = fmt::format("REQUEST/{}", request.id);
+    }
 }
 
 void Recorder::addRequest(const MechanismRequest& request) {
     const UnitSystem& u = m_mechanism.getUnits();
-    // The first four columns are linear, the others angular. Seven lack the angular magnitude.
-    const auto add = [&](const std::vector<const char*>& names, double linear, double angular, auto calc) {
+    // The first four columns are linear, the others angular.
+    const auto add = [&](double linear, double angular, auto calc) {
         std::vector<Column> columns;
-        for (const char* usual : names) {
-            const int k = int(columns.size()), missing = names.size() == 7 && k >= 4 ? 1 : 0;
-            columns.push_back({nameComponent(request, k + missing + 1, usual), k < 4 ? linear : angular});
-        }
+        for (const std::string& name : nameComponents(request))
+            columns.push_back({name, columns.size() < 4 ? linear : angular});
         addGroup(m_results.requests, "", columns,
                  [calc, request](const State& s, double* out) { calc(request, s, out); });
     };
     switch (request.type) {
-        case RequestType::Displacement:
-            return add({"MAG", "X", "Y", "Z", "PSI", "THETA", "PHI"}, u.length, 1, calcDisplacement);
-        case RequestType::Velocity:
-            return add({"VM", "VX", "VY", "VZ", "WM", "WX", "WY", "WZ"}, u.getVelocity(),
-                       u.getAngularVelocity(), calcVelocity);
+        case RequestType::Displacement: return add(u.length, 1, calcDisplacement);
+        case RequestType::Velocity: return add(u.getVelocity(), u.getAngularVelocity(), calcVelocity);
         case RequestType::Acceleration:
-            return add({"ACCM", "ACCX", "ACCY", "ACCZ", "WDTM", "WDTX", "WDTY", "WDTZ"}, u.getAcceleration(),
-                       u.getAngularAcceleration(), calcAcceleration);
-        case RequestType::Force:
-            return add({"FM", "FX", "FY", "FZ", "TM", "TX", "TY", "TZ"}, u.force, u.getMoment(), calcForce);
-        case RequestType::Expressions: addFunctions(request);
+            return add(u.getAcceleration(), u.getAngularAcceleration(), calcAcceleration);
+        case RequestType::Force: return add(u.force, u.getMoment(), calcForce);
+        case RequestType::Expressions: return add(1, 1, calcFunctions);
     }
-}
-
-// Functions give their values in the dataset's units already.
-void Recorder::addFunctions(const MechanismRequest& request) {
-    for (const auto& [number, function] : request.functions)
-        addGroup(m_results.requests, "", {{nameComponent(request, number, fmt::format("F{}", number)), 1}},
-                 [f = function](const State& s, double* out) { *out = f.calcValue(s); });
 }
 
 //----------------------------------------------------------------------------- reactions, parts, energy

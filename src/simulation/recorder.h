@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jprim/build/mechanism.h"
-#include "jprim/simulation/results.h"
+#include "jprim/simulation/simulate.h"
 
 namespace jprim {
 
@@ -23,12 +23,16 @@ public:
 
     Results& updResults() { return m_results; }
 
+    /// The first of each request.
+    const std::vector<NotFinite>& getNotFinite() const { return m_notFinite; }
+
 private:
     /// Columns that are computed together.
     struct Group {
         Table* table;
         std::vector<double> unitsInSI;  // of each column
         std::function<void(const SimTK::State&, double*)> calcInSI;
+        std::string request;  // "REQUEST/3", while all its values are numbers
     };
 
     struct Column {
@@ -38,9 +42,10 @@ private:
 
     void addGroup(Table& table, const std::string& prefix, const std::vector<Column>& columns,
                   std::function<void(const SimTK::State&, double*)> calcInSI);
+    void watch(Group& group, size_t first);
+    void addRequests();
     void addRequest(const MechanismRequest& request);
-    void addFunctions(const MechanismRequest& request);
-    std::string nameComponent(const MechanismRequest& request, int component, const std::string& usual);
+    std::vector<std::string> nameComponents(const MechanismRequest& request);
     void addReactions(const LoadElement& element);
     void addPart(const MechanismPart& part);
     void addModes(const MechanismPart& part);
@@ -49,7 +54,8 @@ private:
     const Mechanism& m_mechanism;
     Results m_results;
     std::vector<Group> m_groups;
-    std::unordered_set<std::string> m_requestColumns;  // names taken so far
+    std::unordered_set<std::string> m_requestColumns;  // names taken so far, and all plain ones
+    std::vector<NotFinite> m_notFinite;
 };
 
 }  // namespace jprim

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "base/format.h"
 #include "jprim/base/error.h"
@@ -41,6 +42,33 @@ void chooseTimes(const SimulateCommand& command, double start, SimulationOptions
     if (!isMoment(command)) options.end = findEnd(command, start);
 }
 
+// The elements of a kind in a range.
+std::vector<std::string> findElements(const Mechanism& mechanism, ElementKind kind, const IdRange& range) {
+    std::vector<std::string> names = mechanism.getSwitchableElements();
+    for (const MechanismSensor& sensor : mechanism.getSensors()) names.push_back(sensor.name);
+    const std::string prefix = std::string(getAdamsName(kind)) + "/";
+    std::vector<std::string> found;
+    for (const std::string& name : names) {
+        if (name.compare(0, prefix.size(), prefix) != 0) continue;
+        const int id = std::stoi(name.substr(prefix.size()));
+        if (range.first <= id && id <= range.last) found.push_back(name);
+    }
+    return found;
+}
+
+void checkSwitched(const Mechanism& mechanism, const ActivateCommand& command, Diagnostics& diagnostics) {
+    const char* const kind = getAdamsName(command.kind);
+    for (const auto& [first, last] : command.ids) {
+        if (!findElements(mechanism, command.kind, {first, last}).empty()) continue;
+        if (first == last)
+            diagnostics.push_back({Severity::Error, command.where,
+                                   fmt::format("{}/{} does not exist in this model", kind, first)});
+        else
+            diagnostics.push_back({Severity::Warning, command.where,
+                                   fmt::format("this model has no {} from {} to {}", kind, first, last)});
+    }
+}
+
 class CommandRun {
 public:
     CommandRun(const Mechanism& mechanism, const SimulationOptions& options)
@@ -48,6 +76,7 @@ public:
 
     CommandsOutcome run(const std::vector<Command>& commands) {
         double time = 0;
+        forEach(commands, [this](const Command& command) { requireElements(command); });
         forEach(commands, [&](const Command& command) { time = foresee(command, time); });
         forEach(commands, [this](const Command& command) {
             std::visit([this](const auto& c) { execute(c); }, command);
@@ -70,6 +99,13 @@ private:
         }
     }
 
+    void requireElements(const Command& command) const {
+        const auto* const activate = std::get_if<ActivateCommand>(&command);
+        Diagnostics diagnostics;
+        if (activate) checkSwitched(m_mechanism, *activate, diagnostics);
+        if (hasErrors(diagnostics)) throw std::runtime_error(diagnostics.front().message);
+    }
+
     // Where the command ends, given where it starts. Before a long run is the time to learn that an END is too early;
     // but where sensors may end commands, nobody knows.
     double foresee(const Command& command, double start) const {
@@ -81,7 +117,7 @@ private:
     void execute(const ActivateCommand& command) {
         start();
         for (const IdRange& range : command.ids)
-            for (const std::string& name : findElements(command.kind, range)) {
+            for (const std::string& name : findElements(m_mechanism, command.kind, range)) {
                 if (command.kind == ElementKind::Sensor)
                     switchSensor(name, command.active);
                 else
@@ -131,22 +167,6 @@ private:
         m_sensors.assign(m_mechanism.getSensors().size(), SensorState::Armed);
     }
 
-    // The elements of a kind in a range; a single id must exist.
-    std::vector<std::string> findElements(ElementKind kind, const IdRange& range) const {
-        std::vector<std::string> names = m_mechanism.getSwitchableElements();
-        for (const MechanismSensor& sensor : m_mechanism.getSensors()) names.push_back(sensor.name);
-        const std::string prefix = std::string(getAdamsName(kind)) + "/";
-        std::vector<std::string> found;
-        for (const std::string& name : names) {
-            if (name.compare(0, prefix.size(), prefix) != 0) continue;
-            const int id = std::stoi(name.substr(prefix.size()));
-            if (range.first <= id && id <= range.last) found.push_back(name);
-        }
-        if (found.empty() && range.first == range.last)
-            throw Error(prefix + std::to_string(range.first), "does not exist in this model");
-        return found;
-    }
-
     void switchElement(const std::string& name, bool active) {
         const SimTK::Constraint constraint = m_mechanism.getConstraint(name);
         if (active)
@@ -172,6 +192,19 @@ private:
 };
 
 }  // namespace
+
+void checkCommands(const Mechanism& mechanism, const std::vector<Command>& commands,
+                   Diagnostics& diagnostics) {
+    bool simulates = false;
+    for (const Command& command : commands)
+        if (const auto* const activate = std::get_if<ActivateCommand>(&command))
+            checkSwitched(mechanism, *activate, diagnostics);
+        else
+            simulates = true;
+    if (!simulates)
+        diagnostics.push_back(
+            {Severity::Error, {}, "there is no SIMULATE command, so nothing would be simulated"});
+}
 
 CommandsOutcome runCommands(const Mechanism& mechanism, const std::vector<Command>& commands,
                             const SimulationOptions& options) {

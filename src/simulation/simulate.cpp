@@ -94,6 +94,7 @@ public:
             m_outcome.failure = describeFailure(m_mechanism, m_stepper->getState(), exception.what());
         }
         m_outcome.results = std::move(m_recorder.updResults());
+        m_outcome.summary.notFinite = m_recorder.getNotFinite();
         m_outcome.finalState = m_stepper->getState();
         resetEquationScales(m_mechanism, m_outcome.finalState);
         if (m_dropped) m_dropped->restore(m_outcome.finalState);

@@ -67,6 +67,7 @@ Model loadModel(const std::string& path, Formulation formulation);
 struct LoadedCommands {
     CommandFile file;
     Model model;
+    bool isUsable = false;  ///< there are no errors in either, and the commands fit the model
 };
 
 /// True of a name that ends in .acf, in any case.

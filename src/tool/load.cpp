@@ -6,10 +6,21 @@
 #include <variant>
 
 #include "base/format.h"
+#include "jprim/build/find_mistakes.h"
 #include "jprim/dataset/read_dataset.h"
+#include "jprim/simulation/run_commands.h"
 #include "tool/commands.h"
 
 namespace jprim::tool {
+
+namespace {
+
+void print(const std::string& file, const Diagnostics& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics)
+        fmt::print(stderr, "{}\n", formatDiagnostic(file, diagnostic));
+}
+
+}  // namespace
 
 void printError(const std::string& file, const std::string& message) {
     fmt::print(stderr, "{}\n", formatDiagnostic(file, {Severity::Error, {}, message}));
@@ -40,10 +51,11 @@ std::string getLengthName(const Dataset& dataset) {
 Model loadModel(const std::string& path, Formulation formulation) {
     Model model;
     model.dataset = readDatasetFile(path, model.diagnostics);
-    if (!hasErrors(model.diagnostics))
+    if (hasErrors(model.diagnostics))
+        findMistakes(model.dataset, model.diagnostics);
+    else
         model.mechanism = buildMechanism(model.dataset, model.diagnostics, {formulation});
-    for (const Diagnostic& diagnostic : model.diagnostics)
-        fmt::print(stderr, "{}\n", formatDiagnostic(path, diagnostic));
+    print(path, model.diagnostics);
     return model;
 }
 
@@ -58,8 +70,7 @@ LoadedCommands loadCommands(const std::string& path, Formulation formulation) {
     LoadedCommands loaded;
     Diagnostics diagnostics;
     loaded.file = readCommandFile(path, diagnostics);
-    for (const Diagnostic& diagnostic : diagnostics)
-        fmt::print(stderr, "{}\n", formatDiagnostic(path, diagnostic));
+    print(path, diagnostics);
     if (hasErrors(diagnostics)) return loaded;
     std::filesystem::path model = std::filesystem::path(loaded.file.folder) / loaded.file.model;
     if (!model.has_extension()) model += ".adm";
@@ -70,6 +81,12 @@ LoadedCommands loadCommands(const std::string& path, Formulation formulation) {
     if (std::any_of(loaded.file.commands.begin(), loaded.file.commands.end(), switches))
         formulation = Formulation::Constraints;
     loaded.model = loadModel(model.string(), formulation);
+    if (loaded.model.mechanism) {
+        Diagnostics found;
+        checkCommands(*loaded.model.mechanism, loaded.file.commands, found);
+        print(path, found);
+        loaded.isUsable = !hasErrors(found);
+    }
     return loaded;
 }
 

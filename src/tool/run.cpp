@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <cstdio>
 
 #include "base/format.h"
@@ -50,6 +51,15 @@ void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism
             : "the energy of this mechanism is not what the work of its loads makes it: it is off",
         summary.largestImbalance / summary.energyScale);
     fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
+}
+
+void warnOfNotFinite(const RunArguments& arguments, const SimulationSummary& summary) {
+    for (const NotFinite& first : summary.notFinite) {
+        const std::string message =
+            fmt::format("{}: {} is {} at time {}, and perhaps later", first.request, first.column,
+                        std::isnan(first.value) ? "not a number" : "infinite", first.time);
+        fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
+    }
 }
 
 SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
@@ -114,12 +124,13 @@ ExitCode runDataset(const RunArguments& arguments) {
     if (!arguments.quiet) printSummary(model, outcome.summary);
     printResultsLine(arguments);
     warnOfEnergyError(arguments, *model.mechanism, outcome.summary);
+    warnOfNotFinite(arguments, outcome.summary);
     return outcome.failure.empty() ? Done : SimulationFailed;
 }
 
 ExitCode runCommandFile(const RunArguments& arguments) {
     const LoadedCommands loaded = loadCommands(arguments.model, arguments.formulation);
-    if (!loaded.model.mechanism) return DatasetHasErrors;
+    if (!loaded.isUsable) return DatasetHasErrors;
     RunArguments used = arguments;
     if (used.out.empty()) used.out = loaded.file.output;
     CommandsOutcome outcome;
@@ -142,6 +153,7 @@ ExitCode runCommandFile(const RunArguments& arguments) {
             printSummary(loaded.model, summary.simulation);
         }
         warnOfEnergyError(used, *loaded.model.mechanism, summary.simulation);
+        warnOfNotFinite(used, summary.simulation);
     }
     printResultsLine(used);
     return outcome.failure.empty() ? Done : SimulationFailed;

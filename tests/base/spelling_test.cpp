@@ -26,5 +26,13 @@ TEST(Spelling, OnlyNearNamesAreSuggested) {
     EXPECT_EQ(suggestNearest({}, "SIN"), "");
 }
 
+TEST(Spelling, NamesWithNumbersAreListed) {
+    const std::vector<std::string> names{"F1", "FORCE", "F2", "F8", "B1"};
+    EXPECT_EQ(suggestNearest(names, "f9"), "; there are F1 to F8");
+    EXPECT_EQ(suggestNearest(names, "F123456789123"), "; there are F1 to F8");
+    EXPECT_EQ(suggestNearest(names, "FORC"), "; did you mean FORCE?");
+    EXPECT_EQ(suggestNearest(names, "B9"), "; did you mean B1?");
+}
+
 }  // namespace
 }  // namespace jprim

@@ -3,6 +3,7 @@
 // another.
 #include <gtest/gtest.h>
 
+#include "jprim/build/find_mistakes.h"
 #include "support/run_dataset.h"
 
 namespace jprim {
@@ -74,6 +75,54 @@ TEST(AllMistakes, OfBodiesAreListedWithModesThatCannotBeRead) {
                          "JPRIM/1,ATPOINT,I=31,J=20\n"
                          "END\n"),
               (std::vector<std::string>{"3:1 FLEX_BODY/3", "5:1 PART/2", "7:1 MARKER/21"}));
+}
+
+//--------------------------------------------------------------------------- with mistakes of statements
+std::string findAll(const std::string& text) {
+    Diagnostics diagnostics;
+    const Dataset dataset = readDataset(text, diagnostics);
+    EXPECT_TRUE(hasErrors(diagnostics));
+    findMistakes(dataset, diagnostics);
+    return testing::formatAll(diagnostics);
+}
+
+TEST(FindMistakes, ListsThoseInFunctionsTogetherWithThoseOfStatements) {
+    EXPECT_EQ(
+        findAll("t\n"
+                "PART/1,GROUND\n"
+                "MARKER/10\n"
+                "REQUEST/1,F2=DX(99)\\F3=SFORCE(1,0,2,0)+SFORCE(2,0,2,0)\n"
+                "MARKER/11,ZP=0,0,0\n"
+                "PART/2,MASS=QQQ\n"
+                "MARKER/20,NODE_ID=QQQ\n"
+                "SFORCE/1,TRANSLATIONAL,I=10,J=77,FUNCTION=1+SINN(2)\n"
+                "GFORCE/1,I=10,JFLOAT=20,RM=10,FX=QQQ\\TX=ACCX(10)\n"
+                "MOTION/1,JOINT=5,FUNCTION=DX(10)\n"
+                "GCON/1,FUNCTION=VX(10)**2\n"
+                "END\n"),
+        "4:17: error: REQUEST/1: MARKER/99 does not exist\n"
+        "4:40: error: REQUEST/1: SFORCE/2 does not exist, or its load is not known here: only REQUEST and SENSOR "
+        "can depend on loads of elements\n"
+        "5:1: error: MARKER/11: ZP is the same point as the origin\n"
+        "6:13: error: MASS of PART/2: 'QQQ' is not a number\n"
+        "7:19: error: NODE_ID of MARKER/20: 'QQQ' is not an id\n");
+}
+
+// What names a statement with errors is not wrong on that account.
+TEST(FindMistakes, DoNotFollowFromOthers) {
+    EXPECT_EQ(findAll("t\n"
+                      "PART/1,GROUND\n"
+                      "MARKER/10,QQQ=1\n"
+                      "VARIABLE/1,QQQ=1,FUNCTION=1\n"
+                      "SPLINE/1,X=1,2,3,4,Y=QQQ\n"
+                      "JOINT/1,QQQ\n"
+                      "REQUEST/1,F2=DX(10)+VARVAL(1)\\F3=CUBSPL(TIME,0,1)\\F4=JOINT(1,1,2,10)\n"
+                      "END\n"),
+              "");
+}
+
+TEST(FindMistakes, ReadsFilesOfModes) {
+    EXPECT_EQ(findPlaces("t\nEND\n").size(), 0u);
 }
 
 }  // namespace

@@ -262,7 +262,7 @@ TEST(DatasetErrors, Requests) {
          "MARKER/98\n"
          "3:30: error: RM of REQUEST/1: there is no MARKER/99"},
         {"no such component", "REQUEST/1, F9=QQQ",
-         "3:12: error: unknown argument 'F9' of REQUEST/1; did you mean F1?"},
+         "3:12: error: unknown argument 'F9' of REQUEST/1; there are F1 to F8"},
         {"open quotes", "REQUEST/1, CNAMES=\"a\", \"QQQ, F2=1",
          "3:24: error: CNAMES of REQUEST/1: the closing quote of '\"QQQ' is missing"},
         {"quotes over two lines", "REQUEST/1, F2=1, CNAMES=\"QQQ\n, QQQ\"",

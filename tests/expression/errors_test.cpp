@@ -94,8 +94,10 @@ TEST(ExpressionErrors, Names) {
         {"FRICTION()", "0: FRICTION is not supported"},
     });
     for (const char* name :
-         {"ARYVAL", "BEAM", "CONTACT", "CURVE", "CVCV", "DELAY", "DIF", "DIF1", "FIELD", "FXFREQ", "FXMODE",
-          "INTERP", "INVPSD", "NFORCE", "PINVAL", "POUVAL", "PTCV", "SENVAL", "USER"})
+         {"ARYVAL",  "BEAM",   "CONTACT", "CURVE",  "CVCV",   "DELAY",   "DIF",       "DIF1",
+          "FIELD",   "FXFREQ", "FXMODE",  "INTERP", "INVPSD", "NFORCE",  "PINVAL",    "POUVAL",
+          "PTCV",    "SENVAL", "USER",    "MFORCE", "TIRE",   "SURFACE", "CLEARANCE", "COUPLER",
+          "FE_LOAD", "UCON",   "LSE",     "GSE",    "TFSISO", "MATRIX",  "ARRAY",     "PTSF"})
         EXPECT_EQ(findError(std::string(name) + "(1)"), "0: " + std::string(name) + " is not supported");
 }
 

@@ -81,6 +81,11 @@ TEST(MeshWarnings, SayWhichPositionOfANodeIsTaken) {
     EXPECT_EQ(read.mesh.nodes.at(4), SimTK::Vec3(5, 6, 7));
 }
 
+TEST(MeshWarnings, SayThatCoordinatesAreMissing) {
+    EXPECT_EQ(readText(Square + "*NODE\n5, 1, 2\n6, 1\n").warnings,
+              Warnings({"mesh.inp:10: node 5 has 2 coordinates; those not given are taken as 0"}));
+}
+
 //------------------------------------------------------------------------------------ sets of the assembly
 const char* const Assumed =
     " stands outside the instance and has no instance=Bar-1; its numbers are read as that instance's";

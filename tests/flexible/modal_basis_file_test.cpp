@@ -81,6 +81,15 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"FrequencyHuge", setFrequency("1e999"), "beam.modes:10: a number is expected, not '1e999'"},
         Damage{"MassZero", setRest("mass", " 0"), "beam.modes:6: a mass is 0; it must be positive"},
         Damage{"MassNegative", setRest("mass", " -1.5"), "beam.modes:6: a mass is -1.5; it must be positive"},
+        Damage{"MassBeyondCalculation", setRest("mass", " 1e300"),
+               "beam.modes:6: 1e300 is too large to calculate with"},
+        Damage{"MassTooSmall", setRest("mass", " 1e-300"),
+               "beam.modes:6: a mass is 1e-300, too small to calculate with"},
+        Damage{"FrequencyBeyondCalculation", setFrequency("1e300"),
+               "beam.modes:10: 1e300 is too large to calculate with"},
+        Damage{"CenterFarAway", setRest("center", " 1e6 0 0"),
+               "beam.modes: the mass centre is 1e+06 m away from all nodes of a body of 0.5 m"},
+        Damage{"InterfaceTwice", setRest("interfaces", " 2 2 2"), "beam.modes: interface 2 is given twice"},
         Damage{"MassNaN", setRest("mass", " nan"), "beam.modes:6: a finite number is expected, not 'nan'"},
         Damage{"CenterNaN", setRest("center", " 0 nan 0"),
                "beam.modes:7: a finite number is expected, not 'nan'"},
@@ -137,6 +146,14 @@ TEST(ModalBasisFile, ACopyWithOtherLineEndsIsTheSame) {
         folder.shorten(testing::catchError([&] { loadModalBasis(path); })),
         "copy.modes: has been changed since it was written (its checksum does not fit); copy it again or make "
         "it again with `jprim reduce`");
+}
+
+TEST(ModalBasisFile, ACopyWithAMarkAndWithoutItsLastLineEndIsTheSame) {
+    const testing::MeshFolder folder;
+    std::string text = sign(makeBody(folder));
+    text.pop_back();
+    const ModalBasis copy = loadModalBasis(folder.write("copy.modes", "\xEF\xBB\xBF" + text));
+    EXPECT_EQ(copy.frequencies, loadModalBasis(folder.getPath("beam.modes")).frequencies);
 }
 
 TEST(ModalBasisFile, SaysWhatIsTooMuch) {

@@ -51,7 +51,27 @@ TEST(RequestNames, AreNeverAlike) {
                     "REQUEST/2,RESULTS_NAME=arm,CNAMES=a,F1=1\\F2=2\n"
                     "REQUEST/3,RESULTS_NAME=R4,CNAMES=F1,F2,F1=1\\F2=2\n"
                     "REQUEST/4,F1=1\\F2=2"),
-        (Names{"time", "arm.a", "R1.F2", "R1.F3", "R2.F1", "arm.F2", "R4.F1", "R4.F2", "R4.F1_", "R4.F2_"}));
+        (Names{"time", "arm.a", "R1.F2", "R1.F3", "R2.F1", "arm.F2", "R3.F1", "R3.F2", "R4.F1", "R4.F2"}));
+}
+
+// Each component can have its plain name, so this one is never given to another.
+TEST(RequestNames, LeaveThePlainNamesOfOthers) {
+    EXPECT_EQ(findColumns("REQUEST/1,CNAMES=F2,F1=1\\F2=2\nREQUEST/2,RESULTS_NAME=R1,CNAMES=F1,F1=1"),
+              (Names{"time", "R1.F1", "R1.F2", "R2.F1"}));
+}
+
+TEST(RequestValues, ThatAreNoNumbersAreToldOnce) {
+    const SimulationOutcome outcome =
+        runWith("REQUEST/1,F1=SQRT(0.5-TIME)\\F2=TIME\nREQUEST/2,F2=1/(TIME-TIME)\\F3=1/(TIME-TIME)");
+    const std::vector<NotFinite>& found = outcome.summary.notFinite;
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].request, "REQUEST/2");
+    EXPECT_EQ(found[0].column, "R2.F2");
+    EXPECT_EQ(found[0].time, 0);
+    EXPECT_EQ(found[1].request, "REQUEST/1");
+    EXPECT_EQ(found[1].column, "R1.F1");
+    EXPECT_TRUE(std::isnan(found[1].value));
+    EXPECT_EQ(found[1].time, 1);
 }
 
 TEST(RequestNames, ChangeNoValue) {

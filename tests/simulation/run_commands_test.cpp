@@ -128,7 +128,28 @@ TEST(RunCommands, FailuresNameTheCommand) {
         fail(Pendulum, "SIMULATE/KINEMATICS, END=1, STEPS=2\n"),
         "3: kinematics: needs a mechanism without freedoms and without MOTIONs or GCONs of velocities; this one "
         "has 1 degrees of freedom; run dynamics instead");
-    EXPECT_EQ(fail(Pendulum, "DEACTIVATE/JPRIM, ID=4\n"), "3: JPRIM/4: does not exist in this model");
+    EXPECT_EQ(fail(Pendulum, "DEACTIVATE/JPRIM, ID=4\n"), "3: JPRIM/4 does not exist in this model");
+}
+
+std::string check(const std::string& commands) {
+    Diagnostics diagnostics;
+    const CommandFile file = readCommands("model\n\n" + commands, diagnostics);
+    checkCommands(testing::buildOrFail(Driven, {Formulation::Constraints}), file.commands, diagnostics);
+    return testing::formatAll(diagnostics);
+}
+
+TEST(CheckCommands, ListsAllThatAModelDoesNotHave) {
+    EXPECT_EQ(check("DEACTIVATE/JPRIM, ID=4, 5\nDEACTIVATE/JOINT, ID=1\nSIMULATE/STATICS\n"
+                    "ACTIVATE/MOTION, RANGE=2, 9\nACTIVATE/SENSOR, ID=1\nACTIVATE/MOTION, RANGE=1, 9\n"),
+              "3:1: error: JPRIM/4 does not exist in this model\n"
+              "3:1: error: JPRIM/5 does not exist in this model\n"
+              "6:1: warning: this model has no MOTION from 2 to 9\n"
+              "7:1: error: SENSOR/1 does not exist in this model\n");
+}
+
+TEST(CheckCommands, WantsASimulation) {
+    EXPECT_EQ(check("DEACTIVATE/JOINT, ID=1\n"),
+              "error: there is no SIMULATE command, so nothing would be simulated\n");
 }
 
 }  // namespace

@@ -111,6 +111,58 @@ TEST_F(Tool, AFailingCommandIsNamedByItsLine) {
     EXPECT_EQ(countLines(readFile(m_folder / "o" / "requests.csv")), 1u + 3u) << "what was simulated is kept";
 }
 
+// Before anything is simulated or written.
+TEST_F(Tool, CommandsThatDoNotFitTheModelExitWith3) {
+    write("model.adm", Pendulum);
+    const std::string out = (m_folder / "o").string();
+    const Outcome lost = run("run " +
+                             write("lost.acf",
+                                   "model\n\nSIMULATE/DYNAMICS, END=0.2, STEPS=2\nDEACTIVATE/JOINT, ID=7, 8\n"
+                                   "ACTIVATE/SENSOR, ID=3\n") +
+                             " --out " + out);
+    EXPECT_EQ(lost.exitCode, 3);
+    for (const char* message : {"lost.acf:4:1: error: JOINT/7 does not exist in this model",
+                                "lost.acf:4:1: error: JOINT/8 does not exist in this model",
+                                "lost.acf:5:1: error: SENSOR/3 does not exist in this model"})
+        EXPECT_NE(lost.err.find(message), std::string::npos) << lost.err;
+    EXPECT_FALSE(fs::exists(m_folder / "o"));
+    const Outcome idle = run("run " + write("idle.acf", "model\n\nDEACTIVATE/JOINT, ID=1\n"));
+    EXPECT_EQ(idle.exitCode, 3);
+    EXPECT_NE(idle.err.find("idle.acf: error: there is no SIMULATE command"), std::string::npos) << idle.err;
+}
+
+TEST_F(Tool, MistakesOfAllKindsAreListedTogether) {
+    const Outcome outcome = run("run " +
+                                write("bad.adm",
+                                      "t\nPART/1,GROUND\nMARKER/1\nREQUEST/1,F2=SINN(1)\nMARKER/2,QQQ=1\n"
+                                      "FLEX_BODY/3,MODES_FILE=QQQ.modes\nEND\n") +
+                                " --end 1");
+    EXPECT_EQ(outcome.exitCode, 3);
+    const std::size_t function = outcome.err.find("bad.adm:4:14: error: REQUEST/1: unknown function 'SINN'"),
+                      statement = outcome.err.find("bad.adm:5:10: error: unknown argument 'QQQ' of MARKER/2"),
+                      modes = outcome.err.find("bad.adm:6:1: error: FLEX_BODY/3: ");
+    EXPECT_LT(function, statement) << outcome.err;
+    EXPECT_LT(statement, modes) << outcome.err;
+    EXPECT_NE(modes, std::string::npos) << outcome.err;
+}
+
+TEST_F(Tool, WarnsOfRequestsThatAreNoNumbers) {
+    std::string model = Pendulum;
+    model.insert(model.find("REQUEST/1"), "REQUEST/2,F2=LOG(-1-TIME)\n");
+    const Outcome outcome = run("run " + write("model.adm", model) + " --end 0.1 --steps 2 --quiet");
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("warning: REQUEST/2: R2.F2 is not a number at time 0"), std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(Tool, RefusesMoreRowsThanMemoryHolds) {
+    const Outcome outcome = run("run " + write("model.adm", Pendulum) + " --end 1 --dtout 1e-9 --quiet");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.err.find("output step: 1e-09 is too short for a run from 0 to 1: all 1000000001 rows"),
+              std::string::npos)
+        << outcome.err;
+}
+
 TEST_F(Tool, CommandFilesWithErrorsExitWith3) {
     const std::string bad = write("bad.acf", "model\n\nSIMULATE/DYNAMICS\n");
     EXPECT_EQ(run("run " + bad).exitCode, 3);

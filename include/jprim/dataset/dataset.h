@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -204,9 +205,11 @@ struct Dataset {
     std::vector<RequestStatement> requests;
     std::vector<IgnoredStatement> ignored;
     StatementCounts counts;
+    /// Statements with errors, by name: "MARKER/12". Most are in none of the lists, but others may still name them.
+    std::set<std::string> faulty;
 };
 
-/// True if both say the same. Neither `where`, the folder nor the counts are part of what a dataset says.
+/// True if both say the same. How reading went (`where`, the folder, counts, faulty) is no part of what a dataset says.
 bool operator==(const Dataset& a, const Dataset& b);
 bool operator!=(const Dataset& a, const Dataset& b);
 

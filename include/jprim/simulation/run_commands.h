@@ -28,6 +28,12 @@ struct CommandsOutcome {
     SourcePosition where;  ///< of the command that failed
 };
 
+/// Checks commands against the mechanism they are for. Errors: an element to be switched that there is not, and no
+/// SIMULATE at all. A RANGE in which there is none is a warning.
+/// @param[out] diagnostics  findings are appended in the order of the commands
+void checkCommands(const Mechanism& mechanism, const std::vector<Command>& commands,
+                   Diagnostics& diagnostics);
+
 /// Carries out the commands of an Adams command file, one State going through all of them.
 /// - DYNAMICS integrates, KINEMATICS needs a mechanism without freedoms, TRANSIENT takes whichever fits
 /// - STATICS goes to equilibrium; with an end, at each output time

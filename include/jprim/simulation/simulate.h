@@ -25,11 +25,14 @@ enum class Redundancy { Share, Drop };
 /// it is false. Off: nothing.
 enum class SensorState { Armed, Fired, Off };
 
+/// Rows of results are kept in memory.
+constexpr int MostOutputSteps = 10000000;
+
 struct SimulationOptions {
     Redundancy redundancy = Redundancy::Share;
     SimulationKind kind = SimulationKind::Automatic;
     double end = 0;  ///< end time, in the dataset's unit; it starts at the time of the initial state
-    /// Output steps of equal length; steps + 1 rows are recorded. With 0 steps only the initial state is.
+    /// Output steps of equal length, at most MostOutputSteps; steps + 1 rows are recorded. With 0 steps only the initial state is.
     int steps = 100;
     /// In place of steps, unless there are none: the length of an output step, in the dataset's unit. The end is recorded
     /// too, after a shorter step if the length does not divide the run.
@@ -58,6 +61,14 @@ struct DroppedAnew {
     std::vector<std::string> equations;  ///< in words
 };
 
+/// A value of a request that is infinite or no number, such as the root of a negative one.
+struct NotFinite {
+    std::string request;  ///< "REQUEST/3"
+    std::string column;   ///< of Results::requests
+    double value = 0;
+    double time = 0;  ///< in the dataset's unit
+};
+
 /// How a simulation went, in the mechanism's units.
 struct SimulationSummary {
     int degreesOfFreedom = 0;                   ///< at the start
@@ -82,6 +93,7 @@ struct SimulationSummary {
     int stepsTaken = 0;        ///< of the integrator or the kinematic solution
     std::string endedBy;       ///< the sensor that ended it before its time: "SENSOR/3"; empty if none
     bool isHalted = false;     ///< and that sensor has HALT
+    std::vector<NotFinite> notFinite;  ///< the first of each request that has any
     double wallSeconds = 0;
 };
 

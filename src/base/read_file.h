@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef JPRIM_SRC_BASE_READ_FILE_H_
+#define JPRIM_SRC_BASE_READ_FILE_H_
+
+#include <optional>
+#include <string>
+
+namespace jprim {
+
+/// The bytes of a file, but for the mark that some editors put before UTF-8; nothing if it cannot be read.
+std::optional<std::string> readFile(const std::string& path);
+
+/// What a message says of a file that cannot be read.
+constexpr const char* UnreadableFile = "cannot read the file; check its name and permissions";
+
+/// The folder of a file, from which relative names in it start.
+std::string getFolder(const std::string& path);
+
+}  // namespace jprim
+
+#endif
