@@ -33,12 +33,13 @@ const std::map<std::string, Rooms> AllowedUses = {
     {"build",
      {"base", "expression", "linear_algebra", "flexible", "marker", "primitive", "general", "force", "joint",
       "analysis", "dataset"}},
+    {"results", {"base"}},
     {"simulation",
      {"base", "expression", "linear_algebra", "marker", "general", "force", "joint", "analysis", "dataset",
-      "build"}},
+      "build", "results"}},
     {"tool",
      {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
-      "dataset", "build", "simulation"}}};
+      "dataset", "build", "results", "simulation"}}};
 
 std::vector<fs::path> findFiles(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;

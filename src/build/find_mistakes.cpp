@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/format.h"
 #include "jprim/build/find_mistakes.h"
 
-
+#include "base/format.h"
 #include "base/sort_diagnostics.h"
 #include "build/frames.h"
 #include "build/function_writer.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/format.h"
 #include "build/load_modes.h"
-
 
 #include <filesystem>
 
+#include "base/format.h"
 #include "jprim/base/error.h"
 
 namespace jprim {

@@ -36,9 +36,9 @@ void putInAxes(const SpatialVec& inGround, const State& state, const Marker& axe
 
 }  // namespace
 
-Recorder::Recorder(const Mechanism& mechanism) : m_mechanism(mechanism) {
+Recorder::Recorder(const Mechanism& mechanism, ResultSink& sink) : m_mechanism(mechanism), m_sink(sink) {
     const double second = m_mechanism.getUnits().time;
-    for (Table* table : {&m_results.requests, &m_results.reactions, &m_results.parts})
+    for (const Table* table : {&m_requests, &m_reactions, &m_parts})
         addGroup(*table, "", {{"time", second}}, [](const State& s, double* out) { *out = s.getTime(); });
     addRequests();
     for (const LoadElement& element : m_mechanism.getLoadElements()) addReactions(element);
@@ -48,13 +48,15 @@ Recorder::Recorder(const Mechanism& mechanism) : m_mechanism(mechanism) {
         addModes(part);
     }
     addEnergy();
+    m_sink.begin(m_columns);
 }
 
-void Recorder::addGroup(Table& table, const std::string& prefix, const std::vector<Column>& columns,
+void Recorder::addGroup(const Table& table, const std::string& prefix, const std::vector<Column>& columns,
                         std::function<void(const State&, double*)> calcInSI) {
-    Group group{&table, {}, std::move(calcInSI), {}};
+    Group group{table, table.row.size(), {}, std::move(calcInSI), {}};
     for (const Column& column : columns) {
         table.columns.push_back(prefix + column.name);
+        table.row.push_back(0);
         group.unitsInSI.push_back(column.unitInSI);
     }
     m_groups.push_back(std::move(group));
@@ -62,26 +64,24 @@ void Recorder::addGroup(Table& table, const std::string& prefix, const std::vect
 
 void Recorder::record(const State& state) {
     for (Group& group : m_groups) {
-        std::vector<double>& values = group.table->values;
-        const size_t first = values.size();
-        values.resize(first + group.unitsInSI.size());
-        group.calcInSI(state, &values[first]);
-        for (size_t k = 0; k < group.unitsInSI.size(); ++k) values[first + k] /= group.unitsInSI[k];
-        watch(group, first);
+        double* const values = group.table.row.data() + group.first;
+        group.calcInSI(state, values);
+        for (size_t k = 0; k < group.unitsInSI.size(); ++k) values[k] /= group.unitsInSI[k];
+        watch(group);
     }
+    m_sink.add(m_row);
 }
 
 // Once for each request: one value that is none mostly brings others.
-void Recorder::watch(Group& group, size_t first) {
+void Recorder::watch(Group& group) {
     if (group.request.empty()) return;
-    const Table& table = *group.table;
-    const auto bad = std::find_if(table.values.begin() + std::ptrdiff_t(first), table.values.end(),
-                                  [](double value) { return !std::isfinite(value); });
-    if (bad == table.values.end()) return;
-    const size_t index = size_t(bad - table.values.begin()), row = index - index % table.columns.size();
-    m_notFinite.push_back(
-        {group.request, table.columns[index % table.columns.size()], *bad, table.values[row]});
-    group.request.clear();
+    const std::vector<double>& row = group.table.row;
+    for (size_t k = group.first; k < group.first + group.unitsInSI.size(); ++k) {
+        if (std::isfinite(row[k])) continue;
+        m_notFinite.push_back({group.request, group.table.columns[k], row[k], row[0]});
+        group.request.clear();
+        return;
+    }
 }
 
 //-------------------------------------------------------------------------------------------- requests
@@ -175,7 +175,7 @@ void Recorder::addRequest(const MechanismRequest& request) {
         std::vector<Column> columns;
         for (const std::string& name : nameComponents(request))
             columns.push_back({name, columns.size() < 4 ? linear : angular});
-        addGroup(m_results.requests, "", columns,
+        addGroup(m_requests, "", columns,
                  [calc, request](const State& s, double* out) { calc(request, s, out); });
     };
     switch (request.type) {
@@ -194,7 +194,7 @@ void Recorder::addReactions(const LoadElement& element) {
     const double F = m_mechanism.getUnits().force, M = m_mechanism.getUnits().getMoment();
     const auto add = [&](const char* side, const LoadFunction& load) {
         if (!load) return;
-        addGroup(m_results.reactions, element.name + side,
+        addGroup(m_reactions, element.name + side,
                  {{"FX", F}, {"FY", F}, {"FZ", F}, {"TX", M}, {"TY", M}, {"TZ", M}},
                  [load](const State& s, double* out) {
                      const SpatialVec onMarker = load(s);
@@ -208,7 +208,7 @@ void Recorder::addReactions(const LoadElement& element) {
 void Recorder::addPart(const MechanismPart& part) {
     const UnitSystem& u = m_mechanism.getUnits();
     const double L = u.length, V = u.getVelocity(), W = u.getAngularVelocity();
-    addGroup(m_results.parts, part.name + ".",
+    addGroup(m_parts, part.name + ".",
              {{"X", L},
               {"Y", L},
               {"Z", L},
@@ -238,7 +238,7 @@ void Recorder::addModes(const MechanismPart& part) {
     std::vector<Column> columns;
     for (int k = 1; k <= part.flexible->getNumModes(); ++k)
         columns.push_back({fmt::format("Q{}", k), std::sqrt(u.mass) * u.length});
-    addGroup(m_results.parts, part.name + ".", columns, [body = *part.flexible](const State& s, double* out) {
+    addGroup(m_parts, part.name + ".", columns, [body = *part.flexible](const State& s, double* out) {
         const SimTK::Vector q = body.getModalCoordinates(s);
         std::copy(&q[0], &q[0] + q.size(), out);
     });
@@ -246,7 +246,7 @@ void Recorder::addModes(const MechanismPart& part) {
 
 void Recorder::addEnergy() {
     const double E = m_mechanism.getUnits().getEnergy();
-    addGroup(m_results.parts, "energy.", {{"kinetic", E}, {"potential", E}, {"total", E}},
+    addGroup(m_parts, "energy.", {{"kinetic", E}, {"potential", E}, {"total", E}},
              [&mechanism = m_mechanism](const State& s, double* out) {
                  out[0] = mechanism.calcKineticEnergy(s);
                  out[1] = mechanism.getSystem().calcPotentialEnergy(s);

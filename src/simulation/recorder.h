@@ -8,28 +8,35 @@
 #include <vector>
 
 #include "jprim/build/mechanism.h"
+#include "jprim/results/result_sink.h"
 #include "jprim/simulation/simulate.h"
 
 namespace jprim {
 
-/// Fills the tables of Results from States. Each column's name, unit and value are declared together.
+/// Makes rows of results from States. Each column's name, unit and value are declared together.
 class Recorder {
 public:
-    /// The mechanism must outlive the recorder.
-    explicit Recorder(const Mechanism& mechanism);
+    /// The mechanism and the sink must outlive the recorder.
+    Recorder(const Mechanism& mechanism, ResultSink& sink);
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
 
-    /// Adds one row to each table. Requires Stage::Acceleration.
+    /// Adds a row. Requires Stage::Acceleration.
     void record(const SimTK::State& state);
-
-    Results& updResults() { return m_results; }
 
     /// The first of each request.
     const std::vector<NotFinite>& getNotFinite() const { return m_notFinite; }
 
 private:
-    /// Columns that are computed together.
+    struct Table {
+        std::vector<std::string>& columns;
+        std::vector<double>& row;
+    };
+
+    /// Columns of a table that are computed together.
     struct Group {
-        Table* table;
+        Table table;
+        size_t first;
         std::vector<double> unitsInSI;  // of each column
         std::function<void(const SimTK::State&, double*)> calcInSI;
         std::string request;  // "REQUEST/3", while all its values are numbers
@@ -40,9 +47,9 @@ private:
         double unitInSI;
     };
 
-    void addGroup(Table& table, const std::string& prefix, const std::vector<Column>& columns,
+    void addGroup(const Table& table, const std::string& prefix, const std::vector<Column>& columns,
                   std::function<void(const SimTK::State&, double*)> calcInSI);
-    void watch(Group& group, size_t first);
+    void watch(Group& group);
     void addRequests();
     void addRequest(const MechanismRequest& request);
     std::vector<std::string> nameComponents(const MechanismRequest& request);
@@ -52,7 +59,11 @@ private:
     void addEnergy();
 
     const Mechanism& m_mechanism;
-    Results m_results;
+    ResultSink& m_sink;
+    ResultColumns m_columns;
+    ResultRow m_row;
+    const Table m_requests{m_columns.requests, m_row.requests},
+        m_reactions{m_columns.reactions, m_row.reactions}, m_parts{m_columns.parts, m_row.parts};
     std::vector<Group> m_groups;
     std::unordered_set<std::string> m_requestColumns;  // names taken so far, and all plain ones
     std::vector<NotFinite> m_notFinite;

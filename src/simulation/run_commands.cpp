@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "base/format.h"
 #include "jprim/base/error.h"
@@ -14,13 +15,25 @@ using SimTK::State;
 
 namespace {
 
-void append(const Table& added, bool withFirstRow, Table& table) {
-    table.columns = added.columns;
-    const size_t width = added.columns.size(),
-                 skipped = withFirstRow ? 0 : std::min(width, added.values.size());
-    table.values.insert(table.values.end(), added.values.begin() + std::ptrdiff_t(skipped),
-                        added.values.end());
-}
+/// Rows of one command after those of another.
+class ContinuedSink final : public ResultSink {
+public:
+    explicit ContinuedSink(ResultSink& target) : m_target(target) {}
+
+    /// Before each command: whether its first row is another than the last one before.
+    void continueWith(bool withFirstRow) { m_skips = !withFirstRow; }
+
+    void begin(const ResultColumns& columns) override {
+        if (!std::exchange(m_hasBegun, true)) m_target.begin(columns);
+    }
+    void add(const ResultRow& row) override {
+        if (!std::exchange(m_skips, false)) m_target.add(row);
+    }
+
+private:
+    ResultSink& m_target;
+    bool m_hasBegun = false, m_skips = false;
+};
 
 bool isMoment(const SimulateCommand& command) {
     return !command.end && !command.duration;
@@ -71,8 +84,8 @@ void checkSwitched(const Mechanism& mechanism, const ActivateCommand& command, D
 
 class CommandRun {
 public:
-    CommandRun(const Mechanism& mechanism, const SimulationOptions& options)
-        : m_mechanism(mechanism), m_options(options) {}
+    CommandRun(const Mechanism& mechanism, const SimulationOptions& options, ResultSink& sink)
+        : m_mechanism(mechanism), m_options(options), m_sink(sink) {}
 
     CommandsOutcome run(const std::vector<Command>& commands) {
         double time = 0;
@@ -136,11 +149,8 @@ private:
         chooseTimes(command, time, options);
         AssembledState initial;
         initial.state = *m_state;
-        SimulationOutcome outcome = simulate(m_mechanism, initial, options);
-        const bool isFirst = m_outcome.summaries.empty();
-        for (const auto table : {&Results::requests, &Results::reactions, &Results::parts})
-            append(outcome.results.*table, isFirst || m_switched || isMoment(command),
-                   m_outcome.results.*table);
+        m_sink.continueWith(m_outcome.summaries.empty() || m_switched || isMoment(command));
+        const SimulationOutcome outcome = simulate(m_mechanism, initial, options, m_sink);
         m_switched = false;
         m_state = outcome.finalState;
         m_sensors = outcome.sensors;
@@ -184,6 +194,7 @@ private:
 
     const Mechanism& m_mechanism;
     const SimulationOptions& m_options;
+    ContinuedSink m_sink;
     CommandsOutcome m_outcome;
     std::vector<SensorState> m_sensors;
     std::optional<State> m_state;
@@ -207,8 +218,17 @@ void checkCommands(const Mechanism& mechanism, const std::vector<Command>& comma
 }
 
 CommandsOutcome runCommands(const Mechanism& mechanism, const std::vector<Command>& commands,
+                            const SimulationOptions& options, ResultSink& sink) {
+    return CommandRun(mechanism, options, sink).run(commands);
+}
+
+CommandsOutcome runCommands(const Mechanism& mechanism, const std::vector<Command>& commands,
                             const SimulationOptions& options) {
-    return CommandRun(mechanism, options).run(commands);
+    Results results;
+    ResultMemory memory(results);
+    CommandsOutcome outcome = runCommands(mechanism, commands, options, memory);
+    outcome.results = std::move(results);
+    return outcome;
 }
 
 }  // namespace jprim

@@ -64,10 +64,10 @@ bool isKinematic(const Mechanism& mechanism, const State& state, int freedoms, S
 /// One simulation: the loop over output times and what happens at each.
 class Simulation {
 public:
-    Simulation(const Mechanism& mechanism, const SimulationOptions& options)
+    Simulation(const Mechanism& mechanism, const SimulationOptions& options, ResultSink& sink)
         : m_mechanism(mechanism),
           m_options(options),
-          m_recorder(mechanism),
+          m_recorder(mechanism, sink),
           m_energy(mechanism, m_outcome.summary),
           m_reactions(mechanism),
           m_watch(mechanism, m_outcome.sensors,
@@ -93,7 +93,6 @@ public:
         } catch (const std::exception& exception) {
             m_outcome.failure = describeFailure(m_mechanism, m_stepper->getState(), exception.what());
         }
-        m_outcome.results = std::move(m_recorder.updResults());
         m_outcome.summary.notFinite = m_recorder.getNotFinite();
         m_outcome.finalState = m_stepper->getState();
         resetEquationScales(m_mechanism, m_outcome.finalState);
@@ -226,8 +225,17 @@ private:
 }  // namespace
 
 SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,
+                           const SimulationOptions& options, ResultSink& sink) {
+    return Simulation(mechanism, options, sink).run(initial.state);
+}
+
+SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,
                            const SimulationOptions& options) {
-    return Simulation(mechanism, options).run(initial.state);
+    Results results;
+    ResultMemory memory(results);
+    SimulationOutcome outcome = simulate(mechanism, initial, options, memory);
+    outcome.results = std::move(results);
+    return outcome;
 }
 
 }  // namespace jprim

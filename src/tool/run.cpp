@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 #include "base/format.h"
 #include "jprim/base/error.h"
+#include "jprim/results/csv_files.h"
 #include "jprim/simulation/equilibrium.h"
 #include "jprim/simulation/run_commands.h"
 #include "tool/commands.h"
@@ -80,12 +82,25 @@ SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
     return options;
 }
 
-SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism) {
+/// For a run without --out.
+class NoResults final : public ResultSink {
+public:
+    void begin(const ResultColumns&) override {}
+    void add(const ResultRow&) override {}
+};
+
+// Before the simulation, not after it, is the time to learn that nothing can be written.
+std::unique_ptr<ResultSink> makeSink(const std::string& folder) {
+    if (folder.empty()) return std::make_unique<NoResults>();
+    return std::make_unique<CsvFiles>(folder);
+}
+
+SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism, ResultSink& sink) {
     AssembledState initial = assemble(mechanism);
     warnOfYielded(arguments.model, mechanism, initial.yielded);
     if (arguments.start == "equilibrium") initial.state = findEquilibrium(mechanism, initial.state);
     ProgressBar bar(!arguments.quiet);
-    return simulate(mechanism, initial, makeOptions(arguments, bar));
+    return simulate(mechanism, initial, makeOptions(arguments, bar), sink);
 }
 
 // What the arguments lack or have too much of, or empty.
@@ -112,11 +127,9 @@ ExitCode runDataset(const RunArguments& arguments) {
     if (!model.mechanism) return DatasetHasErrors;
     SimulationOutcome outcome;
     try {
-        // Before the simulation, not after it, is the time to learn that nothing can be written.
-        if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
-        outcome = simulateModel(arguments, *model.mechanism);
+        const std::unique_ptr<ResultSink> sink = makeSink(arguments.out);
+        outcome = simulateModel(arguments, *model.mechanism, *sink);
         if (!outcome.failure.empty()) printError(arguments.model, outcome.failure);
-        if (!arguments.out.empty()) writeResults(outcome.results, arguments.out);
     } catch (const std::exception& error) {
         printError(arguments.model, error.what());
         return SimulationFailed;
@@ -135,14 +148,13 @@ ExitCode runCommandFile(const RunArguments& arguments) {
     if (used.out.empty()) used.out = loaded.file.output;
     CommandsOutcome outcome;
     try {
-        if (!used.out.empty()) writeResults(outcome.results, used.out);
+        const std::unique_ptr<ResultSink> sink = makeSink(used.out);
         ProgressBar bar(!used.quiet);
-        outcome = runCommands(*loaded.model.mechanism, loaded.file.commands, makeOptions(used, bar));
+        outcome = runCommands(*loaded.model.mechanism, loaded.file.commands, makeOptions(used, bar), *sink);
         warnOfYielded(used.model, *loaded.model.mechanism, outcome.yielded);
         if (!outcome.failure.empty())
             fmt::print(stderr, "{}\n",
                        formatDiagnostic(used.model, {Severity::Error, outcome.where, outcome.failure}));
-        if (!used.out.empty()) writeResults(outcome.results, used.out);
     } catch (const std::exception& error) {
         printError(used.model, error.what());
         return SimulationFailed;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "jprim/simulation/results.h"
+#include "jprim/results/results.h"
 
 namespace jprim::testing {
 

@@ -48,6 +48,9 @@ void checkCommands(const Mechanism& mechanism, const std::vector<Command>& comma
 /// @param options  accuracy, integrator and progress, for all commands; times and steps are the commands'
 CommandsOutcome runCommands(const Mechanism& mechanism, const std::vector<Command>& commands,
                             const SimulationOptions& options);
+/// The same with results that go elsewhere: CommandsOutcome::results stay empty.
+CommandsOutcome runCommands(const Mechanism& mechanism, const std::vector<Command>& commands,
+                            const SimulationOptions& options, ResultSink& sink);
 
 }  // namespace jprim
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jprim/simulation/assemble.h"
-#include "jprim/simulation/results.h"
+#include "jprim/results/results.h"
 
 namespace jprim {
 
@@ -112,6 +112,9 @@ struct SimulationOutcome {
 /// @throws Error if an option is out of range, or kinematics are asked for and impossible
 SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,
                            const SimulationOptions& options);
+/// The same with results that go elsewhere: SimulationOutcome::results stay empty.
+SimulationOutcome simulate(const Mechanism& mechanism, const AssembledState& initial,
+                           const SimulationOptions& options, ResultSink& sink);
 
 }  // namespace jprim
 
