@@ -163,10 +163,10 @@ private:
         for (const ModalNode& node : b.nodes)
             if (!ids.insert(node.id).second)
                 throw Error(m_file, fmt::format("node {} is given twice", node.id));
-        std::set<int> interfaces;
+        std::set<int> others;
         for (const int id : b.interfaces) {
             if (ids.count(id) == 0) throw Error(m_file, fmt::format("interface {} is none of the nodes", id));
-            if (!interfaces.insert(id).second)
+            if (!others.insert(id).second)
                 throw Error(m_file, fmt::format("interface {} is given twice", id));
         }
     }
@@ -294,8 +294,7 @@ void saveModalBasis(const ModalBasis& basis, const std::string& file) {
 ModalBasis loadModalBasis(const std::string& file) {
     const std::optional<std::string> text = readFile(file);
     if (!text) throw Error(file, "cannot be opened");
-    const std::string content = undoCopying(*text);
-    return Reader(content, file).read();
+    return Reader(undoCopying(*text), file).read();
 }
 
 }  // namespace jprim

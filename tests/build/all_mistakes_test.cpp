@@ -122,7 +122,13 @@ TEST(FindMistakes, DoNotFollowFromOthers) {
 }
 
 TEST(FindMistakes, ReadsFilesOfModes) {
-    EXPECT_EQ(findPlaces("t\nEND\n").size(), 0u);
+    EXPECT_EQ(findAll("t\n"
+                      "PART/1,GROUND,QQQ\n"
+                      "FLEX_BODY/3,MODES_FILE=QQQ.modes\n"
+                      "MARKER/31,NODE_ID=7\n"
+                      "END\n"),
+              "2:15: error: unknown argument 'QQQ' of PART/1\n"
+              "3:1: error: FLEX_BODY/3: QQQ.modes: cannot be opened\n");
 }
 
 }  // namespace
