@@ -79,10 +79,12 @@ void takeValue(const ArgumentValue& given, T& member) {
 /// An argument that is one member. It is written unless it has its default value and need not be given.
 template <class S, class Where>
 Field<S> makeField(const ArgumentRule& rule, Where where) {
+    const S untouched{};
+    const auto usual = std::invoke(where, untouched);
     return {rule, [where](S& s, const ArgumentValue& given) { takeValue(given, std::invoke(where, s)); },
-            [where, rule](StatementWriter& writer, const S& s) {
+            [where, rule, usual](StatementWriter& writer, const S& s) {
                 const auto& value = std::invoke(where, s);
-                if (rule.mandatory || value != std::invoke(where, S())) writer.addValue(rule.name, value);
+                if (rule.mandatory || value != usual) writer.addValue(rule.name, value);
             },
             [where](const S& a, const S& b) { return std::invoke(where, a) == std::invoke(where, b); }};
 }
