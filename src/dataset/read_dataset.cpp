@@ -5,34 +5,33 @@
 #include "base/read_file.h"
 #include "base/sort_diagnostics.h"
 #include "base/text.h"
-#include "dataset/read_state.h"
-#include "dataset/statement_lexer.h"
-#include "dataset/statement_reader.h"
-#include "dataset/statements.h"
+#include "dataset/language/read_state.h"
+#include "dataset/language/statement_lexer.h"
+#include "dataset/statement_kind.h"
 
 namespace jprim {
 namespace {
 
-const StatementRule* findRule(std::string_view keyword) {
-    const std::vector<StatementRule>& rules = getStatementRules();
-    const WordMatch match = findWord(rules, keyword);
-    return match.found ? &rules[match.index] : nullptr;
+const StatementKind* findKind(std::string_view keyword) {
+    const std::vector<StatementKind>& kinds = getStatementKinds();
+    const WordMatch match = findWord(kinds, keyword);
+    return match.found ? &kinds[match.index] : nullptr;
 }
 
-void readStatement(ReadState& state, const Statement& statement) {
+void readStatement(ReadState& state, const StatementText& statement) {
     StatementReader reader(state, statement);
     const std::string_view keyword = reader.readKeyword();
     if (reader.hasErrors()) return;
-    const StatementRule* const rule = findRule(keyword);
+    const StatementKind* const kind = findKind(keyword);
     if (keyword.size() == 3 && startsWith("END", keyword)) {
         reader.addError(0, "END stands alone; it takes no id and no arguments");
-    } else if (!rule) {
+    } else if (!kind) {
         reader.addError(0, fmt::format("unknown statement {}{}", quote(keyword),
-                                       suggestWord(getStatementRules(), keyword)));
-    } else if (!rule->read) {
-        reader.addError(0, fmt::format("{} is not supported yet", rule->name));
-    } else if (reader.readHead(rule->name, rule->hasId)) {
-        rule->read(reader);
+                                       suggestWord(getStatementKinds(), keyword)));
+    } else if (!kind->read) {
+        reader.addError(0, fmt::format("{} is not supported yet", kind->name));
+    } else if (reader.readHead(kind->name, kind->hasId)) {
+        kind->read(reader);
     }
 }
 
@@ -40,9 +39,9 @@ void readStatement(ReadState& state, const Statement& statement) {
 void checkTitle(std::string_view title, Diagnostics& diagnostics) {
     const std::size_t slash = title.find('/');
     if (slash == title.npos || slash == 0) return;
-    const StatementRule* const rule = findRule(title.substr(0, slash));
+    const StatementKind* const kind = findKind(title.substr(0, slash));
     const bool digit = slash + 1 < title.size() && isDigit(title[slash + 1]);
-    if (!rule || (rule->hasId && !digit)) return;  // "M/S rod" is a title like any other
+    if (!kind || (kind->hasId && !digit)) return;  // "M/S rod" is a title like any other
     diagnostics.push_back(
         {Severity::Warning,
          {1, 1},
@@ -82,7 +81,7 @@ Dataset readDataset(std::string_view text, Diagnostics& diagnostics) {
     StatementLexer lexer(text);
     state.dataset.title = std::string(lexer.takeLine());
     checkTitle(state.dataset.title, diagnostics);
-    Statement statement;
+    StatementText statement;
     bool ended = false;
     while (!ended && lexer.next(statement)) {
         ended = isEnd(statement.text);

@@ -35,12 +35,11 @@ std::uint64_t calcChecksum(std::string_view text) {
     return hash;
 }
 
-// Copies by way of other programs end lines with CR LF, or lose the last end of a line.
-std::string undoCopying(std::string_view text) {
+// Copies by way of Windows end lines with CR LF.
+std::string endLinesWithLf(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i)
         if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') result += text[i];
-    if (!result.empty() && result.back() != '\n') result += '\n';
     return result;
 }
 
@@ -141,20 +140,21 @@ private:
     void checkSum() const {
         constexpr std::size_t digits = 16;
         const std::size_t at = m_text.rfind("\n" + std::string(ChecksumWord)) + 1;  // 0 if there is none
-        const std::size_t end = at + ChecksumWord.size() + digits + 1;
+        const std::size_t end = at + ChecksumWord.size() + digits;
         if (at == 0 || m_text.size() < end)
             throw Error(m_file, "is cut off; copy it again or make it again with `jprim reduce`");
-        const std::string expected =
-            fmt::format("{}{:016x}\n", ChecksumWord, calcChecksum(m_text.substr(0, at)));
-        if (m_text.substr(at, expected.size()) != expected)
+        const std::uint64_t checksum = calcChecksum(m_text.substr(0, at));
+        if (m_text.substr(at, end - at) != fmt::format("{}{:016x}", ChecksumWord, checksum))
             throw Error(m_file,
                         "has been changed since it was written (its checksum does not fit); copy it "
                         "again or make it again with `jprim reduce`");
-        if (m_text.size() > end)
+        std::string_view rest = m_text.substr(end);
+        if (!rest.empty() && rest.front() == '\n') rest.remove_prefix(1);  // editors may leave it out
+        if (!rest.empty())
             throw Error(m_file,
                         fmt::format("goes on after its last line, the checksum, for {} byte{}; delete what "
                                     "is too much",
-                                    m_text.size() - end, m_text.size() - end == 1 ? "" : "s"));
+                                    rest.size(), rest.size() == 1 ? "" : "s"));
     }
 
     // Ids that nodes have once, and interfaces that are nodes.
@@ -163,10 +163,10 @@ private:
         for (const ModalNode& node : b.nodes)
             if (!ids.insert(node.id).second)
                 throw Error(m_file, fmt::format("node {} is given twice", node.id));
-        std::set<int> interfaces;
+        std::set<int> others;
         for (const int id : b.interfaces) {
             if (ids.count(id) == 0) throw Error(m_file, fmt::format("interface {} is none of the nodes", id));
-            if (!interfaces.insert(id).second)
+            if (!others.insert(id).second)
                 throw Error(m_file, fmt::format("interface {} is given twice", id));
         }
     }
@@ -290,8 +290,7 @@ void saveModalBasis(const ModalBasis& basis, const std::string& file) {
 ModalBasis loadModalBasis(const std::string& file) {
     const std::optional<std::string> text = readFile(file);
     if (!text) throw Error(file, "cannot be opened");
-    const std::string content = undoCopying(*text);
-    return Reader(content, file).read();
+    return Reader(endLinesWithLf(*text), file).read();
 }
 
 }  // namespace jprim

@@ -101,11 +101,20 @@ TEST(FindMistakes, ListsThoseInFunctionsTogetherWithThoseOfStatements) {
                 "GCON/1,FUNCTION=VX(10)**2\n"
                 "END\n"),
         "4:17: error: REQUEST/1: MARKER/99 does not exist\n"
-        "4:40: error: REQUEST/1: SFORCE/2 does not exist, or its load is not known here: only REQUEST and SENSOR "
+        "4:47: error: REQUEST/1: SFORCE/2 does not exist, or its load is not known here: only REQUEST and SENSOR "
         "can depend on loads of elements\n"
-        "5:1: error: MARKER/11: ZP is the same point as the origin\n"
-        "6:13: error: MASS of PART/2: 'QQQ' is not a number\n"
-        "7:19: error: NODE_ID of MARKER/20: 'QQQ' is not an id\n");
+        "5:1: error: MARKER/11: the point for the z axis lies at the origin of the frame; give another point\n"
+        "6:13: error: MASS of PART/2: 'QQQ' is not a number; write it like 1.5 or 1.5E3\n"
+        "7:19: error: NODE_ID of MARKER/20: 'QQQ' is not an id; ids are whole numbers from 1\n"
+        "8:31: error: J of SFORCE/1: there is no MARKER/77\n"
+        "8:45: error: SFORCE/1: unknown function 'SINN'; did you mean SIN?\n"
+        "9:22: error: JFLOAT of GFORCE/1: MARKER/20 is not FLOATING, as a marker that moves along with I must be\n"
+        "9:34: error: GFORCE/1: unknown name 'QQQ'\n"
+        "9:41: error: GFORCE/1: a force cannot depend on accelerations or reactions, which are known only when all "
+        "forces are\n"
+        "10:16: error: JOINT of MOTION/1: there is no JOINT/5\n"
+        "10:27: error: MOTION/1: the function must depend on nothing but TIME\n"
+        "11:23: error: GCON/1: the expression is not linear in velocities; a constraint of velocities must be\n");
 }
 
 // What names a statement with errors is not wrong on that account.
@@ -118,11 +127,20 @@ TEST(FindMistakes, DoNotFollowFromOthers) {
                       "JOINT/1,QQQ\n"
                       "REQUEST/1,F2=DX(10)+VARVAL(1)\\F3=CUBSPL(TIME,0,1)\\F4=JOINT(1,1,2,10)\n"
                       "END\n"),
-              "");
+              "3:11: error: unknown argument 'QQQ' of MARKER/10\n"
+              "4:12: error: unknown argument 'QQQ' of VARIABLE/1\n"
+              "5:22: error: Y of SPLINE/1: 'QQQ' is not a number; write it like 1.5 or 1.5E3\n"
+              "6:9: error: unknown argument 'QQQ' of JOINT/1\n");
 }
 
 TEST(FindMistakes, ReadsFilesOfModes) {
-    EXPECT_EQ(findPlaces("t\nEND\n").size(), 0u);
+    EXPECT_EQ(findAll("t\n"
+                      "PART/1,GROUND,QQQ\n"
+                      "FLEX_BODY/3,MODES_FILE=QQQ.modes\n"
+                      "MARKER/31,NODE_ID=7\n"
+                      "END\n"),
+              "2:15: error: unknown argument 'QQQ' of PART/1\n"
+              "3:1: error: FLEX_BODY/3: QQQ.modes: cannot be opened\n");
 }
 
 }  // namespace

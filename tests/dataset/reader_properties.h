@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dataset/statement_lexer.h"
+#include "dataset/language/statement_lexer.h"
 #include "jprim/dataset/read_dataset.h"
 #include "jprim/dataset/write_dataset.h"
 
@@ -19,7 +19,7 @@ namespace jprim {
 inline int countStatements(std::string_view text) {
     StatementLexer lexer(text);
     lexer.takeLine();
-    Statement statement;
+    StatementText statement;
     int count = 0;
     while (lexer.next(statement) && !isEnd(statement.text)) ++count;
     return count;

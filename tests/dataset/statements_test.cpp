@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each statement and each of its arguments becomes.
-#include "dataset/statements.h"
-
 #include "dataset/reading.h"
+#include "dataset/statement_kind.h"
 
 namespace jprim {
 namespace {
@@ -201,10 +200,10 @@ TEST(DatasetReader, OneStatementWithErrorsCountsOnce) {
 }
 
 TEST(DatasetVocabulary, EveryStatementHasItsOwnShortestForm) {
-    for (const StatementRule& rule : getStatementRules()) {
-        const WordMatch match = findWord(getStatementRules(), rule.name.substr(0, rule.minimum));
+    for (const StatementKind& rule : getStatementKinds()) {
+        const WordMatch match = findWord(getStatementKinds(), rule.name.substr(0, rule.minimum));
         ASSERT_TRUE(match.found) << rule.name;
-        EXPECT_EQ(getStatementRules()[match.index].name, rule.name);
+        EXPECT_EQ(getStatementKinds()[match.index].name, rule.name);
     }
 }
 

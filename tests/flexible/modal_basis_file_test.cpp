@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"FrequencyBeyondCalculation", setFrequency("1e300"),
                "beam.modes:10: 1e300 is too large to calculate with"},
         Damage{"CenterFarAway", setRest("center", " 1e6 0 0"),
-               "beam.modes: the mass centre is 1e+06 m away from all nodes of a body of 0.5 m"},
+               "beam.modes: the mass centre is 1e+06 m away from all nodes of a body of 2 m"},
         Damage{"InterfaceTwice", setRest("interfaces", " 2 2 2"), "beam.modes: interface 2 is given twice"},
         Damage{"MassNaN", setRest("mass", " nan"), "beam.modes:6: a finite number is expected, not 'nan'"},
         Damage{"CenterNaN", setRest("center", " 0 nan 0"),

@@ -73,7 +73,7 @@ TEST(ModalBasisFile, RefusesDamage) {
         expectError(damaged, changed);
     }
     expectError(text.substr(0, text.size() / 2), cut);
-    expectError(text.substr(0, text.size() - 1), cut);
+    expectError(text.substr(0, text.size() - 2), cut);
     expectError("", foreign);
     expectError("PART/1,GROUND\n", foreign);
     expectError("jprim-modes 7\n", ": has version 7; this program reads version 1");

@@ -149,7 +149,7 @@ TEST(CheckCommands, ListsAllThatAModelDoesNotHave) {
 
 TEST(CheckCommands, WantsASimulation) {
     EXPECT_EQ(check("DEACTIVATE/JOINT, ID=1\n"),
-              "error: there is no SIMULATE command, so nothing would be simulated\n");
+              " error: there is no SIMULATE command, so nothing would be simulated\n");
 }
 
 }  // namespace
