@@ -165,8 +165,14 @@ std::optional<TimeBreak> TimeBreaks::findFirst(Real after, Real until) {
     std::optional<TimeBreak> found = search(after, until, Halvings);
     for (int k = 0; found && k < MostMerged; ++k) {
         const Real next = std::nextafter(found->behind, SimTK::Infinity);
-        if (findBranches(next) == findBranches(found->behind)) break;
+        const std::vector<Real> behind = findBranches(found->behind);
+        const bool isAtZero = std::any_of(m_joints.begin(), m_joints.end(), [this](const Joint& joint) {
+            return joint.instruction.operation == Operation::Select &&
+                   m_ranges[size_t(joint.instruction.arguments[0])].low == 0;
+        });
+        if (!isAtZero && findBranches(next) == behind) break;
         found->behind = next;
+        if (isAtZero) break;
     }
     return found;
 }

@@ -21,8 +21,7 @@ OutputTimes::OutputTimes(const SimulationOptions& options, double start)
     : m_start(start), m_end(options.end), m_numSteps(options.steps) {
     if (options.steps > MostOutputSteps)
         throw Error("steps",
-                    fmt::format("{} are too many, because all rows are kept in memory; at most {} can be",
-                                options.steps, MostOutputSteps));
+                    fmt::format("{} are too many; at most {} can be", options.steps, MostOutputSteps));
     if (options.steps == 0 || !options.outputStep) return;
     const double step = *options.outputStep;
     if (!(step > 0) || !std::isfinite(step))
@@ -33,8 +32,7 @@ OutputTimes::OutputTimes(const SimulationOptions& options, double start)
         throw Error(
             "output step",
             fmt::format(
-                "{} is too short for a run from {} to {}: all {:.0f} rows would be kept in memory; at "
-                "most {} can be",
+                "{} is too short for a run from {} to {}: there would be {:.0f} rows; at most {} can be",
                 step, start, m_end, count + 1, MostOutputSteps));
     m_step = isWhole(quotient) ? 0 : step;
     m_numSteps = int(count);

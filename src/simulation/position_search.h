@@ -25,7 +25,8 @@ struct PositionProblem {
     double emphasisOfEquations = 1;
     std::vector<double> emphasisOfConditions;  ///< empty if all are 1
     std::vector<SimTK::MobilizedBodyIndex> locked;
-    double tolerance = AssemblyTolerance;  ///< up to which equations and conditions are met [length unit, rad]
+    double tolerance =
+        AssemblyTolerance;  ///< up to which equations and conditions are met [length unit, rad]
 };
 
 /// Finds positions for a PositionProblem. It does not care how many equations there are, nor whether they depend on

@@ -73,8 +73,7 @@ void Printer::printCounts() const {
             sum += count;
             if (!type.empty()) parts.push_back(fmt::format("{} {}", count, type));
         }
-        printLine(kind,
-                  parts.empty() ? std::to_string(sum) : fmt::format("{} ({})", sum, join(parts, ", ")));
+        printLine(kind, parts.empty() ? std::to_string(sum) : fmt::format("{} ({})", sum, join(parts, ", ")));
     }
     printLine("requests", d.requests.size());
 }

@@ -39,8 +39,7 @@ std::string describe(const TreePlan& plan, const Dataset& dataset) {
         for (const PlannedElement& e : m.elements) line += " " + e.name + (e.swapped ? " swapped" : "");
         lines.push_back(line);
     }
-    if (!plan.constraints.empty())
-        lines.push_back(fmt::format("equations {}", join(plan.constraints, " ")));
+    if (!plan.constraints.empty()) lines.push_back(fmt::format("equations {}", join(plan.constraints, " ")));
     return join(lines, "; ");
 }
 

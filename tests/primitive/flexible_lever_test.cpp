@@ -44,8 +44,8 @@ std::vector<double> makeUndamped() {
 struct TipAndBody : FlexibleSystem {
     TipAndBody()
         : beam(matter, forces, getBasis(), {InertiaCoupling::Constant, makeUndamped()}),
-          body(matter.Ground(), SimTK::Body::Rigid(SimTK::MassProperties(
-                                    1.3, Vec3(0.02, -0.03, 0.01), SimTK::Inertia(0.04, 0.05, 0.03)))),
+          body(matter.Ground(), SimTK::Body::Rigid(SimTK::MassProperties(1.3, Vec3(0.02, -0.03, 0.01),
+                                                                         SimTK::Inertia(0.04, 0.05, 0.03)))),
           I(body, Transform(Rotation(0.3, SimTK::XAxis), Vec3(0.02, 0.01, -0.03))),
           J(beam, Elements + 1, Transform(Rotation(SimTK::Pi / 2.5, SimTK::YAxis), Vec3(0.05, 0.02, 0))) {}
 
@@ -89,7 +89,7 @@ TEST(SlidingInLine, KeepsEnergyAndMomentum) {
     });
     const SpatialVec after = s.matter.calcSystemMomentumAboutGroundOrigin(end);
     EXPECT_LT((after - momentum).norm(), Tolerance * momentum.norm());
-    EXPECT_GT(elastic, 1e-3 * energy);                   // the beam did swing
+    EXPECT_GT(elastic, 1e-3 * energy);                 // the beam did swing
     EXPECT_GT(std::abs(getPlace(end) - place), 0.05);  // and the body slide
 }
 

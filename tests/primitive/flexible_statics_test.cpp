@@ -26,9 +26,9 @@ constexpr int Elements = 10;
 /// Clamped at node 1 to Ground by an ATPOINT and an ORIENTATION.
 struct Cantilever : FlexibleSystem {
     Cantilever()
-        : beam(matter, forces,
-               reduceToModes(makeFiniteElementModel(properties),
-                             {{{1}, 0, {}}, {{Elements + 1}, 0, {}}}, 12)),
+        : beam(
+              matter, forces,
+              reduceToModes(makeFiniteElementModel(properties), {{{1}, 0, {}}, {{Elements + 1}, 0, {}}}, 12)),
           clamp(Joint::Fixed(Marker(matter.Ground()), Marker(beam, 1), "clamp")) {}
 
     State solve() {
@@ -69,10 +69,10 @@ TEST(FlexibleStatics, CantileverUnderItsWeight) {
 TEST(FlexibleStatics, OffsetLoadThroughAnInPlane) {
     Cantilever c;
     const double m = 0.03, g = 9.81, P = m * g, d = 0.35;
-    SimTK::MobilizedBody::Slider ball(c.matter.Ground(),
-                                      Transform(Rotation(-SimTK::Pi / 2, SimTK::YAxis), Vec3(2 + d, 0, 0)),
-                                      SimTK::Body::Rigid(SimTK::MassProperties(m, Vec3(0), SimTK::Inertia(1))),
-                                      Transform(Rotation(-SimTK::Pi / 2, SimTK::YAxis)));
+    SimTK::MobilizedBody::Slider ball(
+        c.matter.Ground(), Transform(Rotation(-SimTK::Pi / 2, SimTK::YAxis), Vec3(2 + d, 0, 0)),
+        SimTK::Body::Rigid(SimTK::MassProperties(m, Vec3(0), SimTK::Inertia(1))),
+        Transform(Rotation(-SimTK::Pi / 2, SimTK::YAxis)));
     SimTK::Force::ConstantForce(c.forces, ball, Vec3(0), Vec3(0, 0, -P));
     const InPlane rest(Marker(ball), Marker(c.beam, Elements + 1), "rest");
     const State state = c.solve();

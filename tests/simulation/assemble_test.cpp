@@ -127,8 +127,7 @@ TEST(Assemble, FailureNamesTheElementAndWhatIsLeft) {
 TEST(Assemble, FailureSaysWhatIsHeld) {
     const Mechanism mechanism = buildOrFail(makeTwoRods("", ", EXACT=X:Y:Z:PSI:THETA:PHI"));
     const std::string text = testing::catchError([&] { assemble(mechanism); });
-    EXPECT_NE(text.find("is left, with the EXACT coordinates of PART/3 held"), std::string::npos)
-        << text;
+    EXPECT_NE(text.find("is left, with the EXACT coordinates of PART/3 held"), std::string::npos) << text;
 }
 
 // A gap of 0.9 nm on parts of 1 nm is a gap.

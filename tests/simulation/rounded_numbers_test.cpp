@@ -61,22 +61,17 @@ TEST_P(RoundedNumbers, ALidFallsAsOnOneHinge) {
     EXPECT_NEAR(runTo(writeLid(GetParam().digits, "ACCGRAV/JGRAV=-9.81\n")), runTo(single), 1e-7 + rounded);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lids, RoundedNumbers,
-                         ::testing::Values(Row{16, Formulation::Tree, Redundancy::Share},
-                                           Row{16, Formulation::Tree, Redundancy::Drop},
-                                           Row{16, Formulation::Constraints, Redundancy::Share},
-                                           Row{12, Formulation::Tree, Redundancy::Share},
-                                           Row{11, Formulation::Tree, Redundancy::Share},
-                                           Row{11, Formulation::Tree, Redundancy::Drop},
-                                           Row{10, Formulation::Tree, Redundancy::Share},
-                                           Row{10, Formulation::Tree, Redundancy::Drop},
-                                           Row{10, Formulation::Constraints, Redundancy::Share},
-                                           Row{8, Formulation::Tree, Redundancy::Share},
-                                           Row{8, Formulation::Constraints, Redundancy::Share},
-                                           Row{6, Formulation::Tree, Redundancy::Share},
-                                           Row{6, Formulation::Constraints, Redundancy::Drop},
-                                           Row{5, Formulation::Tree, Redundancy::Drop},
-                                           Row{5, Formulation::Constraints, Redundancy::Share}));
+INSTANTIATE_TEST_SUITE_P(
+    Lids, RoundedNumbers,
+    ::testing::Values(
+        Row{16, Formulation::Tree, Redundancy::Share}, Row{16, Formulation::Tree, Redundancy::Drop},
+        Row{16, Formulation::Constraints, Redundancy::Share}, Row{12, Formulation::Tree, Redundancy::Share},
+        Row{11, Formulation::Tree, Redundancy::Share}, Row{11, Formulation::Tree, Redundancy::Drop},
+        Row{10, Formulation::Tree, Redundancy::Share}, Row{10, Formulation::Tree, Redundancy::Drop},
+        Row{10, Formulation::Constraints, Redundancy::Share}, Row{8, Formulation::Tree, Redundancy::Share},
+        Row{8, Formulation::Constraints, Redundancy::Share}, Row{6, Formulation::Tree, Redundancy::Share},
+        Row{6, Formulation::Constraints, Redundancy::Drop}, Row{5, Formulation::Tree, Redundancy::Drop},
+        Row{5, Formulation::Constraints, Redundancy::Share}));
 
 }  // namespace
 }  // namespace jprim

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "jprim/simulation/assemble.h"
 #include "jprim/results/results.h"
+#include "jprim/simulation/assemble.h"
 
 namespace jprim {
 
@@ -25,7 +25,7 @@ enum class Redundancy { Share, Drop };
 /// it is false. Off: nothing.
 enum class SensorState { Armed, Fired, Off };
 
-/// Rows of results are kept in memory.
+/// More are a mistake of units, as a rule.
 constexpr int MostOutputSteps = 10000000;
 
 struct SimulationOptions {
