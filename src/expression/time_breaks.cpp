@@ -158,21 +158,34 @@ std::optional<TimeBreak> TimeBreaks::narrow(Real from, Real to) {
     return TimeBreak{from, to};
 }
 
+bool TimeBreaks::isAtZero(Real time) {
+    run(time, time);
+    return std::any_of(m_joints.begin(), m_joints.end(), [this](const Joint& joint) {
+        return joint.instruction.operation == Operation::Select &&
+               m_ranges[size_t(joint.instruction.arguments[0])].low == 0;
+    });
+}
+
+// IF has a branch for zero, which rounding may hold for a few numbers.
+Real TimeBreaks::leaveZero(Real time) {
+    constexpr int MostDoublings = 20;
+    Real there = std::nextafter(time, SimTK::Infinity);
+    const Real spacing = there - time;
+    for (int k = 1; k < MostDoublings; ++k, there = time + std::ldexp(spacing, k))
+        if (!isAtZero(there)) return there;
+    return time;
+}
+
 std::optional<TimeBreak> TimeBreaks::findFirst(Real after, Real until) {
     constexpr int Halvings = 45, MostMerged = 8;
     if (isEmpty() || !(after < until)) return std::nullopt;
     m_numRuns = 0;
     std::optional<TimeBreak> found = search(after, until, Halvings);
+    if (found && isAtZero(found->behind)) found->behind = leaveZero(found->behind);
     for (int k = 0; found && k < MostMerged; ++k) {
         const Real next = std::nextafter(found->behind, SimTK::Infinity);
-        const std::vector<Real> behind = findBranches(found->behind);
-        const bool isAtZero = std::any_of(m_joints.begin(), m_joints.end(), [this](const Joint& joint) {
-            return joint.instruction.operation == Operation::Select &&
-                   m_ranges[size_t(joint.instruction.arguments[0])].low == 0;
-        });
-        if (!isAtZero && findBranches(next) == behind) break;
+        if (findBranches(next) == findBranches(found->behind)) break;
         found->behind = next;
-        if (isAtZero) break;
     }
     return found;
 }

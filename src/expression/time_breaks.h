@@ -47,6 +47,8 @@ private:
     bool isBounded() const;
     std::vector<SimTK::Real> findBranches(SimTK::Real time);
     std::optional<TimeBreak> search(SimTK::Real from, SimTK::Real to, int halvings);
+    bool isAtZero(SimTK::Real time);
+    SimTK::Real leaveZero(SimTK::Real time);
     std::optional<TimeBreak> narrow(SimTK::Real from, SimTK::Real to);
 
     Program m_program;

@@ -4,6 +4,7 @@
 #include "simulation/find_positions.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "analysis/scaled_equations.h"
@@ -71,11 +72,16 @@ public:
             if (!meetOtherwise(state)) failConstraints(state);
             isMet = all.conditions.empty();
         }
-        if (!isMet && !meetInitial(state)) failInitial(state);
+        if (!isMet && !meetInitial(state)) {
+            meet({m_equations, m_initial, 1, {}}, state);
+            if (leaveOutContradictions(state)) return find(state);
+            failInitial(state);
+        }
         if (isMet || m_exact.empty())
             approach(all, state);
         else
             m_found.yielded = yieldExact(state);
+        requireLittleLeft(state);
         return m_found;
     }
 
@@ -100,6 +106,7 @@ private:
         }
         State met = given;
         if (!PositionSearch(makeProblem({kept, {}, 1, {}}, true), given).meetEquations(met)) return false;
+        m_all = {m_equations, m_given};
         m_given = given;
         m_mechanism.getSystem().realize(m_given, SimTK::Stage::Position);
         m_equations = kept;
@@ -135,13 +142,31 @@ private:
                            [](const MechanismPart& p) { return bool(p.flexible); });
     }
 
-    // From the given positions; the state is as near as it came.
+    // From the given positions; the state is as near as it came. Where equations are left out, what is kept may be met
+    // elsewhere too: the search begins where all are met best.
     bool meet(const Demand& demand, State& state) const {
         state = m_given;
+        if (m_all) state.updQ() = findBest(demand.conditions).getQ();
         if (PositionSearch(makeProblem(demand, false), state).meetEquations(state)) return true;
         if (!isFlexible()) return false;
         state = m_given;
         return PositionSearch(makeProblem(demand, true), state).meetEquations(state);
+    }
+
+    State findBest(const PositionConditions& conditions) const {
+        State state = m_all->given;
+        PositionSearch(makeProblem({m_all->equations, conditions, 1, {}}, true), m_all->given)
+            .meetEquations(state);
+        return state;
+    }
+
+    // What is left out must not be missed by more than what was the reason.
+    void requireLittleLeft(const State& state) const {
+        if (!m_all) return;
+        State all = m_all->given;
+        all.updQ() = state.getQ();
+        const PositionSearch search(makeProblem({m_all->equations, {}, 1, {}}, true), m_all->given);
+        if (search.calcWorst(all) > Contradiction) failConstraints(all);
     }
 
     bool meetInitial(State& state) const {
@@ -255,6 +280,13 @@ private:
     Equations m_equations;
     PositionConditions m_initial, m_exact;
     FoundPositions m_found;
+
+    /// Before any were left out.
+    struct All {
+        Equations equations;
+        State given;
+    };
+    std::optional<All> m_all;
 };
 
 }  // namespace

@@ -122,7 +122,7 @@ private:
         behind.updTime() = std::min(next.behind, time);
         for (const State* state : {&before, &behind})
             m_mechanism.getSystem().realize(*state, SimTK::Stage::Acceleration);
-        if (!m_entry.remembersSteps) {
+        if (!m_entry.remembersSteps && !m_isAtRest) {
             m_integrator->updAdvancedState().updTime() = behind.getTime();
             m_integrator->reinitialize(SimTK::Stage::Time, false);
             m_quadrature.start(behind);

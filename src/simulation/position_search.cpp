@@ -215,13 +215,14 @@ void PositionSearch::descendFully(State& state, int mostSteps, double damping) c
 bool PositionSearch::meetEquations(State& state) const {
     constexpr int MostSteps = 300;
     constexpr double FirstDamping = 1e-3, Lower = 0.999;
-    constexpr double Unlikely = 1e-4;  // for what is left at a position that is stationary by symmetry
+    // Of what is left at a position that is stationary by symmetry; less is left only where one next to it will do.
+    constexpr double Unlikely = 1e-4, Slight = 0.01;
     realize(state);
     descendFully(state, MostSteps, FirstDamping);
     std::mt19937 generator;
-    for (const double nudge : {0.01, 0.1, 0.1, 0.3, 0.3}) {
+    for (const double nudge : {Slight, 0.1, 0.1, 0.3, 0.3}) {
         if (isMet(state)) return true;
-        if (calcWorst(state) < Unlikely) break;
+        if (nudge > Slight && calcWorst(state) < Unlikely) break;
         VectorXd u(state.getNU());
         for (int j = 0; j < u.size(); ++j)
             u[j] = m_isLocked[size_t(j)] ? 0 : std::normal_distribution<double>(0, nudge)(generator);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "base/format.h"
 #include "jprim/marker/angles.h"
@@ -72,6 +73,34 @@ INSTANTIATE_TEST_SUITE_P(
         Row{8, Formulation::Constraints, Redundancy::Share}, Row{6, Formulation::Tree, Redundancy::Share},
         Row{6, Formulation::Constraints, Redundancy::Drop}, Row{5, Formulation::Tree, Redundancy::Drop},
         Row{5, Formulation::Constraints, Redundancy::Share}));
+
+AssembledState assembleFile(const std::string& name, Formulation formulation) {
+    Diagnostics diagnostics;
+    const Dataset dataset = readDatasetFile(testing::getDataFolder() + "assembly/" + name, diagnostics);
+    const std::optional<Mechanism> mechanism = buildMechanism(dataset, diagnostics, {formulation});
+    if (!mechanism) throw std::logic_error(testing::formatAll(diagnostics));
+    return assemble(*mechanism);
+}
+
+// What is kept of the equations is met in another place too, where a hinge stands 187 mm open.
+TEST(RoundedLoops, CloseWhereAllEquationsAreMetBest) {
+    constexpr double Rounded = 1e-6;  // m, of sizes of a metre
+    for (const Formulation formulation : {Formulation::Tree, Formulation::Constraints}) {
+        const AssembledState assembled = assembleFile("doubled_rockers.adm", formulation);
+        EXPECT_FALSE(assembled.leftOut.empty());
+        EXPECT_LT(assembled.after.length, Rounded);
+    }
+}
+
+// Next to nothing is left of the equations where it is drawn, but they can be met.
+TEST(RoundedLoops, AreNoneNextToADeadPoint) {
+    constexpr double Met = 1e-9;
+    for (const Formulation formulation : {Formulation::Tree, Formulation::Constraints}) {
+        const AssembledState assembled = assembleFile("short_truss.adm", formulation);
+        EXPECT_TRUE(assembled.leftOut.empty());
+        EXPECT_LT(assembled.after.length, Met);
+    }
+}
 
 }  // namespace
 }  // namespace jprim
