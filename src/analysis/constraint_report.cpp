@@ -35,9 +35,6 @@ Admissible findAdmissible(const SimbodyMatterSubsystem& matter, const State& giv
     constexpr double Met = 1e-13, Near = 1e-3, Rounded = 1e-4;
     constexpr int MostSteps = 40;
     const ScaledEquations holonomic(matter, selectHolonomic(equations), given);
-    const auto calcLargest = [](const Eigen::VectorXd& errors) {
-        return errors.size() > 0 ? errors.lpNorm<Eigen::Infinity>() : 0;
-    };
     const double largest = calcLargest(holonomic.calcErrors(given));
     if (largest <= Met) return {given, calcUncertainty(largest)};
     if (largest > Near) return {given, 0};

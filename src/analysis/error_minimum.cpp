@@ -18,10 +18,6 @@ namespace {
 
 constexpr double LongestStep = 0.3;  // of a scaled motion's entries: about radians, or sizes of the mechanism
 
-double calcLargest(const VectorXd& v) {
-    return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0;
-}
-
 VectorXd calcStep(const MatrixXd& A, const MatrixXd& AAt, const VectorXd& errors, double mu) {
     const MatrixXd regular = AAt + mu * MatrixXd::Identity(A.rows(), A.rows());
     const VectorXd y = -A.transpose() * solveSymmetric(regular, errors);
@@ -49,6 +45,10 @@ bool descend(const ScaledEquations& equations, double& damping, ErrorMinimum& mi
 }
 
 }  // namespace
+
+double calcLargest(const VectorXd& v) {
+    return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0;
+}
 
 double calcLeastDamping(double size) {
     constexpr double Hardly = 30, Smallest = 1e-13, Largest = 1e-6;

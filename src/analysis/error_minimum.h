@@ -8,6 +8,9 @@
 
 namespace jprim {
 
+/// The size of the largest entry; 0 if there is none.
+double calcLargest(const Eigen::VectorXd& v);
+
 /// Where the scaled position errors are as small as they become.
 struct ErrorMinimum {
     SimTK::State state;

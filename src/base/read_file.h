@@ -4,6 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "jprim/base/diagnostic.h"
 
 namespace jprim {
 
@@ -15,6 +18,20 @@ constexpr const char* UnreadableFile = "cannot read the file; check its name and
 
 /// The folder of a file, from which relative names in it start.
 std::string getFolder(const std::string& path);
+
+/// What `read` makes of the text of a file, with the file's folder. An error, and an empty result, if it cannot be read.
+template <class Result>
+Result readFrom(const std::string& path, Diagnostics& diagnostics,
+                Result (*read)(std::string_view, Diagnostics&)) {
+    const std::optional<std::string> text = readFile(path);
+    if (!text) {
+        diagnostics.push_back({Severity::Error, {}, UnreadableFile});
+        return {};
+    }
+    Result result = read(*text, diagnostics);
+    result.folder = getFolder(path);
+    return result;
+}
 
 }  // namespace jprim
 

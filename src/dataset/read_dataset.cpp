@@ -97,14 +97,7 @@ Dataset readDataset(std::string_view text, Diagnostics& diagnostics) {
 }
 
 Dataset readDatasetFile(const std::string& path, Diagnostics& diagnostics) {
-    const std::optional<std::string> text = readFile(path);
-    if (!text) {
-        diagnostics.push_back({Severity::Error, {}, UnreadableFile});
-        return {};
-    }
-    Dataset dataset = readDataset(*text, diagnostics);
-    dataset.folder = getFolder(path);
-    return dataset;
+    return readFrom(path, diagnostics, readDataset);
 }
 
 }  // namespace jprim

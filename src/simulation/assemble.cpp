@@ -80,25 +80,19 @@ void leaveOut(const Mechanism& mechanism, const FoundPositions& found, Assembled
     mechanism.getSystem().realize(result.state, Stage::Position);
 }
 
-// Equations that were left out before may be needed now.
-void takeBack(const Mechanism& mechanism, State& state) {
-    mechanism.getSystem().realize(state, Stage::Instance);
-    for (const ConstraintEquation& equation : mechanism.findEquations(state))
-        if (equation.scale == 0) EquationAccess(mechanism, equation).setScale(state, 1);
-}
-
 bool hasNothingToProject(const Mechanism& mechanism, const State& state) {
     return countFreedoms(mechanism.getMatter(), state).hasOnlyEmptyHolonomic;
 }
 
 // Onto the equations to rounding. What was rounded in a dataset may contradict itself by less than AssemblyTolerance.
-void settlePositions(const Mechanism& mechanism, AssembledState& result) {
-    if (hasNothingToProject(mechanism, result.state)) return;
+// True if there is something to project.
+bool settlePositions(const Mechanism& mechanism, AssembledState& result) {
+    if (hasNothingToProject(mechanism, result.state)) return false;
     const SimTK::MultibodySystem& system = mechanism.getSystem();
     const State found = result.state;
     try {
         system.projectQ(result.state, ProjectionTolerance);
-        return;
+        return true;
     } catch (const std::exception&) {
         result.state = found;
         system.realize(result.state, Stage::Position);
@@ -112,14 +106,15 @@ void settlePositions(const Mechanism& mechanism, AssembledState& result) {
         system.realize(result.state, Stage::Position);
         if (isViolated(calcViolation(mechanism, result.state))) throw;
     }
+    return !hasNothingToProject(mechanism, result.state);
 }
 
-void finish(const Mechanism& mechanism, AssembledState& result) {
+void finish(const Mechanism& mechanism, bool hasToProject, AssembledState& result) {
     const SimTK::MultibodySystem& system = mechanism.getSystem();
     system.realize(result.state, Stage::Velocity);
     const State found = result.state;
     try {
-        if (!hasNothingToProject(mechanism, result.state)) system.projectU(result.state, ProjectionTolerance);
+        if (hasToProject) system.projectU(result.state, ProjectionTolerance);
     } catch (const std::exception&) {
         checkVelocities(mechanism, result.state);
         result.state = found;
@@ -150,9 +145,9 @@ AssembledState assemble(const Mechanism& mechanism) {
         result.yielded = found.yielded;
         leaveOut(mechanism, found, result);
     }
-    settlePositions(mechanism, result);
+    const bool hasToProject = settlePositions(mechanism, result);
     result.state.updU() = calcInitialVelocities(mechanism, result.state);
-    finish(mechanism, result);
+    finish(mechanism, hasToProject, result);
     result.moved = findMovedParts(mechanism, result.state);
     return result;
 }
@@ -160,14 +155,14 @@ AssembledState assemble(const Mechanism& mechanism) {
 AssembledState reassemble(const Mechanism& mechanism, const State& current) {
     AssembledState result;
     result.state = current;
-    takeBack(mechanism, result.state);
+    restoreDroppedEquations(mechanism, result.state);  // what was left out may be needed now
     mechanism.getSystem().realize(result.state, Stage::Position);
     result.before = calcViolation(mechanism, result.state);
     if (isViolated(result.before))
         leaveOut(mechanism, findPositions(mechanism, aimAtPresent(mechanism, result.state), result.state),
                  result);
-    settlePositions(mechanism, result);
-    finish(mechanism, result);
+    const bool hasToProject = settlePositions(mechanism, result);
+    finish(mechanism, hasToProject, result);
     return result;
 }
 

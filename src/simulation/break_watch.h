@@ -3,7 +3,6 @@
 #define JPRIM_SRC_SIMULATION_BREAK_WATCH_H_
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "expression/time_breaks.h"

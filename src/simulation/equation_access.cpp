@@ -67,7 +67,7 @@ Real calcFreeResponse(const SimTK::SimbodyMatterSubsystem& matter, const State& 
 void weighErrors(const Mechanism& mechanism, State& state) {
     mechanism.getSystem().realize(state, SimTK::Stage::Instance);
     for (const ConstraintEquation& equation : mechanism.findEquations(state)) {
-        if (equation.scale == 0 || equation.level == EquationLevel::Acceleration) continue;
+        if (equation.isDropped() || equation.level == EquationLevel::Acceleration) continue;
         state.updUErrWeights()[equation.multiplier] = 1 / equation.scale;
         if (equation.level == EquationLevel::Holonomic)
             state.updQErrWeights()[equation.multiplier] = 1 / equation.scale;
@@ -102,7 +102,7 @@ void multiplyScales(const Mechanism& mechanism, State& state,
     }
     if (most <= Alike * least) return;
     for (size_t k = 0; k < equations.size(); ++k) {
-        if (!(responses[k] > 0) || equations[k].scale == 0) continue;
+        if (!(responses[k] > 0) || equations[k].isDropped()) continue;
         const Real factor = std::exp2(std::round(-std::log2(responses[k]) / 2));
         EquationAccess(mechanism, equations[k]).setScale(state, factor * equations[k].scale);
     }
@@ -133,9 +133,15 @@ void setEquationScalesHere(const Mechanism& mechanism, State& state) {
     multiplyScales(mechanism, state, equations, responses);
 }
 
+void restoreDroppedEquations(const Mechanism& mechanism, State& state) {
+    mechanism.getSystem().realize(state, SimTK::Stage::Instance);
+    for (const ConstraintEquation& equation : mechanism.findEquations(state))
+        if (equation.isDropped()) EquationAccess(mechanism, equation).setScale(state, 1);
+}
+
 void resetEquationScales(const Mechanism& mechanism, State& state) {
     for (const ConstraintEquation& equation : mechanism.findEquations(state))
-        if (equation.scale != 0) EquationAccess(mechanism, equation).setScale(state, 1);
+        if (!equation.isDropped()) EquationAccess(mechanism, equation).setScale(state, 1);
     weighErrors(mechanism, state);
 }
 

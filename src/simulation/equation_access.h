@@ -38,6 +38,9 @@ void setEquationScalesHere(const Mechanism& mechanism, SimTK::State& state);
 /// Takes the scales away again, but not from equations that are dropped.
 void resetEquationScales(const Mechanism& mechanism, SimTK::State& state);
 
+/// Puts equations that are dropped back into use.
+void restoreDroppedEquations(const Mechanism& mechanism, SimTK::State& state);
+
 }  // namespace jprim
 
 #endif

@@ -113,7 +113,7 @@ std::string findComplaint(const Mechanism& mechanism, State state) {
 std::string findJump(const Mechanism& mechanism, const State& state) {
     for (const Real moment : {1e-9, 1e-6, 1e-3}) {
         const std::string name = findJumpingForce(mechanism, state, moment);
-        if (!name.empty()) return describeJumpingForce(name);
+        if (!name.empty()) return fmt::format("{}: {}", name, WhatJumpingDoes);
     }
     return "";
 }

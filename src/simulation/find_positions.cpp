@@ -14,6 +14,7 @@
 #include "simulation/assembly_conditions.h"
 #include "simulation/equation_access.h"
 #include "simulation/position_search.h"
+#include "simulation/redundancy.h"
 
 namespace jprim {
 
@@ -69,11 +70,10 @@ public:
         bool isMet = meet(all, state);
         if (!isMet && (all.conditions.empty() || !meet({m_equations, {}, 1, {}}, state))) {
             if (leaveOutContradictions(state)) return find(state);
-            if (!meetOtherwise(state)) failConstraints(state);
+            if (!meetOtherwise(state)) fail(state);
             isMet = all.conditions.empty();
         }
         if (!isMet && !meetInitial(state)) {
-            meet({m_equations, m_initial, 1, {}}, state);
             if (leaveOutContradictions(state)) return find(state);
             failInitial(state);
         }
@@ -94,9 +94,8 @@ private:
         if (left > Contradiction || !m_found.leftOut.empty()) return false;
         const ConstraintReport report = analyzeConstraints(m_mechanism.getMatter(), nearest);
         std::set<int> dependent;
-        for (const RedundantEquation& redundant : report.redundant)
-            if (!redundant.onlyHere)
-                dependent.insert(report.equations[size_t(redundant.equation)].multiplier);
+        for (const int k : selectRedundant(report, DropChoice::Later))
+            dependent.insert(report.equations[size_t(k)].multiplier);
         Equations kept, others;
         State given = m_given;
         for (const ConstraintEquation& equation : m_equations) {
@@ -166,12 +165,16 @@ private:
         State all = m_all->given;
         all.updQ() = state.getQ();
         const PositionSearch search(makeProblem({m_all->equations, {}, 1, {}}, true), m_all->given);
-        if (search.calcWorst(all) > Contradiction) failConstraints(all);
+        if (search.calcWorst(all) > Contradiction) fail(all);
     }
 
+    // If they are not met the state is as near as the first search came.
     bool meetInitial(State& state) const {
-        return meet({m_equations, m_initial, 1, {}}, state) ||
-               meet({m_equations, m_initial, Dominant, {}}, state) || follow(m_initial, state);
+        if (meet({m_equations, m_initial, 1, {}}, state)) return true;
+        State other;
+        if (!meet({m_equations, m_initial, Dominant, {}}, other) && !follow(m_initial, other)) return false;
+        state = other;
+        return true;
     }
 
     // In small steps along the equations, from where these are met.
@@ -199,9 +202,7 @@ private:
 
     // Along what is met; modes that were not needed stay.
     void approach(const Demand& demand, State& state) const {
-        const PositionSearch rigid(makeProblem(demand, false), m_given);
-        const bool isBent = hasBent(state);
-        (isBent ? PositionSearch(makeProblem(demand, true), m_given) : rigid).approachGoals(state);
+        PositionSearch(makeProblem(demand, hasBent(state)), m_given).approachGoals(state);
     }
 
     bool hasBent(const State& state) const {
@@ -213,10 +214,8 @@ private:
         return false;
     }
 
-    [[noreturn]] void failConstraints(const State& state) const { fail(state, {}, ""); }
-
-    [[noreturn]] void fail(const State& state, const std::vector<MissedCoordinate>& missed,
-                           const std::string& held) const {
+    [[noreturn]] void fail(const State& state, const std::vector<MissedCoordinate>& missed = {},
+                           const std::string& held = "") const {
         m_mechanism.getSystem().realize(state, SimTK::Stage::Position);
         const Violation left = calcViolation(m_mechanism, state);
         throw AssemblyError(
@@ -231,7 +230,7 @@ private:
     [[noreturn]] void failInitial(State& state) const {
         meet({m_equations, m_initial, Dominant, {}}, state);
         const std::vector<MissedCoordinate> missed = findMissedInitial(m_mechanism, state, AssemblyTolerance);
-        if (missed.empty()) failConstraints(state);
+        if (missed.empty()) fail(state);
         throw AssemblyError(
             missed[0].element,
             fmt::format("its initial value contradicts the constraints or other given coordinates; the "

@@ -114,14 +114,13 @@ private:
     }
 
     // A step begins behind the break: all its stages are on one side. Only where accelerations jump is what CPodes
-    // remembers of no more use.
+    // remembers of no more use, nor from rest the step and the motion that errors were held against.
     void crossBreak(const TimeBreak& next, Real time) {
         constexpr Real Jump = 1e-2;
         BreakWatch::requireNoJump(m_mechanism, getState(), next.behind);
-        State before = getState(), behind = getState();
+        State behind = getState();
         behind.updTime() = std::min(next.behind, time);
-        for (const State* state : {&before, &behind})
-            m_mechanism.getSystem().realize(*state, SimTK::Stage::Acceleration);
+        m_mechanism.getSystem().realize(behind, SimTK::Stage::Acceleration);
         if (!m_entry.remembersSteps && !m_isAtRest) {
             m_integrator->updAdvancedState().updTime() = behind.getTime();
             m_integrator->reinitialize(SimTK::Stage::Time, false);
@@ -129,8 +128,10 @@ private:
             lookAtMotion();
             return;
         }
-        const SimTK::Vector jump = behind.getUDot() - before.getUDot();
-        if (jump.size() > 0 && jump.normInf() > Jump * before.getUDot().normInf()) begin(behind);
+        m_mechanism.getSystem().realize(getState(), SimTK::Stage::Acceleration);
+        const SimTK::Vector& before = getState().getUDot();
+        const SimTK::Vector jump = behind.getUDot() - before;
+        if (jump.size() > 0 && jump.normInf() > Jump * before.normInf()) begin(behind);
     }
 
     // What a step may have jumped over is gone through, from where it begins, by steps that do not.

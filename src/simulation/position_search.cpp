@@ -30,10 +30,6 @@ constexpr double SmallestDamping = 1e-12, LargestDamping = 1e6;
 constexpr double LongestTurn = 0.5;  // [rad]
 constexpr double Restored = 1e-12;   // errors of equations that are met, above rounding
 
-double calcLargest(const VectorXd& v) {
-    return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0;
-}
-
 SparseMatrix addToDiagonal(const SparseMatrix& M, double value) {
     SparseMatrix identity(M.rows(), M.cols());
     identity.setIdentity();

@@ -19,15 +19,6 @@ using SimTK::State;
 
 namespace {
 
-// Empty or Later: the equations that no motion changes, or all that follow from others wherever the mechanism moves.
-std::vector<int> select(const ConstraintReport& report, DropChoice choice) {
-    std::vector<int> selected;
-    for (const RedundantEquation& redundant : report.redundant)
-        if (!redundant.onlyHere && (redundant.dependsOn.empty() || choice == DropChoice::Later))
-            selected.push_back(redundant.equation);
-    return selected;
-}
-
 // The last ones of an elimination that always takes next what is most independent of those before.
 std::vector<int> selectWeakest(const Mechanism& mechanism, const State& state, const ConstraintReport& report,
                                size_t count) {
@@ -41,12 +32,21 @@ std::vector<int> selectWeakest(const Mechanism& mechanism, const State& state, c
 
 }  // namespace
 
+std::vector<int> selectRedundant(const ConstraintReport& report, DropChoice choice) {
+    std::vector<int> selected;
+    for (const RedundantEquation& redundant : report.redundant)
+        if (!redundant.onlyHere && (redundant.dependsOn.empty() || choice == DropChoice::Later))
+            selected.push_back(redundant.equation);
+    return selected;
+}
+
 DroppedEquations::DroppedEquations(const Mechanism& mechanism, State& state, DropChoice choice)
     : m_mechanism(mechanism) {
     const ConstraintReport report =
         analyzeConstraints(mechanism.getMatter(), state, mechanism.getElementNames());
-    const std::vector<int> empty = select(report, DropChoice::Empty);
-    std::vector<int> selected = choice == DropChoice::Empty ? empty : select(report, DropChoice::Later);
+    const std::vector<int> empty = selectRedundant(report, DropChoice::Empty);
+    std::vector<int> selected =
+        choice == DropChoice::Empty ? empty : selectRedundant(report, DropChoice::Later);
     if (choice == DropChoice::Weakest) selected = selectWeakest(mechanism, state, report, selected.size());
     for (const int k : selected) {
         const ConstraintEquation& equation = report.equations[size_t(k)];
@@ -68,15 +68,15 @@ DroppedEquations::DroppedEquations(const Mechanism& mechanism, State& state, Dro
 void DroppedEquations::allowContradictions(const State& state) {
     constexpr Real Elsewhere = 100;
     for (const Dropped& dropped : m_dropped)
-        if (dropped.equation.scale == 0)
+        if (dropped.equation.isDropped())
             keepWorst(m_allowed, dropped.equation, Elsewhere * dropped.access.calcError(state));
 }
 
 // The smallest singular value of the equations kept.
 Real DroppedEquations::calcStrength(const State& state) const {
     std::vector<ConstraintEquation> kept = m_mechanism.findEquations(state);
-    const auto isDropped = [](const ConstraintEquation& equation) { return equation.scale == 0; };
-    kept.erase(std::remove_if(kept.begin(), kept.end(), isDropped), kept.end());
+    kept.erase(std::remove_if(kept.begin(), kept.end(), [](const auto& e) { return e.isDropped(); }),
+               kept.end());
     if (kept.empty()) return 1;
     const Eigen::MatrixXd A = ScaledEquations(m_mechanism.getMatter(), kept, state).calcJacobian(state);
     return A.rows() > A.cols() ? 0 : calcSingularValues(A)[A.rows() - 1];
@@ -115,7 +115,7 @@ void DroppedEquations::check(const State& state, Real tolerance) const {
 
 void DroppedEquations::restore(State& state) const {
     for (const Dropped& dropped : m_dropped)
-        if (dropped.equation.scale > 0) dropped.access.setScale(state, 1);
+        if (!dropped.equation.isDropped()) dropped.access.setScale(state, 1);
     for (const Constraint& constraint : m_disabled) constraint.enable(state);
 }
 

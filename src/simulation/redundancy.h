@@ -16,6 +16,10 @@ namespace jprim {
 /// say the same the later. Weakest: as many, such that those that stay are as independent of each other as can be.
 enum class DropChoice { Empty, Later, Weakest };
 
+/// Empty or Later: the indices in ConstraintReport::equations of those that no motion changes, or of all that follow from
+/// others wherever the mechanism moves.
+std::vector<int> selectRedundant(const ConstraintReport& report, DropChoice choice);
+
 /// Redundant equations of a mechanism, switched off as Adams does, and watched: they must go on being satisfied by what
 /// the others hold. Those that the State does without already are watched too: they contradict the others by what was
 /// rounded in a dataset, see AssembledState::leftOut, and may go on doing so.

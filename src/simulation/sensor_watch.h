@@ -29,8 +29,9 @@ public:
 
     /// One step, which does not go beyond `time`. If a sensor fires in it, the stepper is replaced by one that
     /// stands where the first sensor has just become true: where its function has come within ERROR of VALUE, or
-    /// right behind a jump. One that is true within the step alone is not overlooked: see BreakWatch and SwitchWatch. An armed sensor that was true before the step fires at the end of it. All that are true where
-    /// one fires have fired.
+    /// right behind a jump. One that is true within the step alone is not overlooked: see BreakWatch and SwitchWatch.
+    /// An armed sensor that was true before the step fires at the end of it. All that are true where one fires have
+    /// fired.
     /// @returns the sensor that fires, of several one with HALT if there is one; or null
     const MechanismSensor* step(std::unique_ptr<Stepper>& stepper, SimTK::Real time);
 

@@ -122,7 +122,7 @@ private:
     // Assembly has left out what the dataset's numbers contradict.
     bool isWithout(const State& state) const {
         const auto equations = m_mechanism.findEquations(state);
-        return std::any_of(equations.begin(), equations.end(), [](const auto& e) { return e.scale == 0; });
+        return std::any_of(equations.begin(), equations.end(), [](const auto& e) { return e.isDropped(); });
     }
 
     void scale(State& state) {

@@ -82,12 +82,6 @@ std::string findJumpingForce(const Mechanism& mechanism, const State& state, Rea
     return "";
 }
 
-std::string describeJumpingForce(const std::string& name) {
-    return name +
-           ": its function jumps here, and on both sides it drives the mechanism back, as dry friction does that changes "
-           "its sign at rest; make it continuous, as by STEP or TANH of the velocity";
-}
-
 void StallWatch::observe(const State& state, Real until) {
     constexpr int Steps = 1000, Times = 3;
     constexpr Real TooMany = 2000, StepsAround = 10;
@@ -95,12 +89,10 @@ void StallWatch::observe(const State& state, Real until) {
     const Real step = (state.getTime() - m_begin) / Steps;
     m_begin = state.getTime();
     m_numSteps = 0;
-    const bool isStalled = until - state.getTime() > TooMany * step &&
-                           !findJumpingForce(m_mechanism, state, StepsAround * step).empty();
-    m_numStalled = isStalled ? m_numStalled + 1 : 0;
-    if (m_numStalled < Times) return;
-    const std::string name = findJumpingForce(m_mechanism, state, StepsAround * step);
-    throw Error(name, describeJumpingForce(name).substr(name.size() + 2));
+    const bool isSlow = until - state.getTime() > TooMany * step;
+    const std::string name = isSlow ? findJumpingForce(m_mechanism, state, StepsAround * step) : "";
+    m_numStalled = name.empty() ? 0 : m_numStalled + 1;
+    if (m_numStalled == Times) throw Error(name, WhatJumpingDoes);
 }
 
 }  // namespace jprim

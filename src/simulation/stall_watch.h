@@ -13,7 +13,9 @@ namespace jprim {
 std::string findJumpingForce(const Mechanism& mechanism, const SimTK::State& state, SimTK::Real moment);
 
 /// What is wrong with it, and what to do.
-std::string describeJumpingForce(const std::string& name);
+constexpr const char* WhatJumpingDoes =
+    "its function jumps here, and on both sides it drives the mechanism back, as dry friction does that changes its sign "
+    "at rest; make it continuous, as by STEP or TANH of the velocity";
 
 /// Ends a run that a jumping force keeps in endless short steps: to and fro over the jump, to neither side of which the
 /// mechanism can go. Short steps alone are no reason: a stiff mechanism needs them.

@@ -37,8 +37,6 @@ public:
     std::optional<Excursion> check(const SimTK::State& state, bool withOneWay = false);
 
     bool isEmpty() const { return m_last.empty(); }
-    /// At the last State.
-    const std::vector<Switch>& getSwitches() const { return m_last; }
 
 private:
     struct Moment {

@@ -45,8 +45,7 @@ void diagnose(CheckReport& report) {
     try {
         report.assembled = assemble(mechanism);
         State all = report.assembled->state;
-        for (const ConstraintEquation& equation : report.assembled->leftOut)
-            EquationAccess(mechanism, equation).setScale(all, 1);
+        restoreDroppedEquations(mechanism, all);
         mechanism.getSystem().realize(all, Stage::Position);
         report.constraints = analyzeConstraints(mechanism.getMatter(), all, mechanism.getElementNames());
     } catch (const std::exception& error) {

@@ -155,13 +155,9 @@ TEST_P(InitialCoordinates, AgainstAMotionAreAnError) {
 TEST(InitialAngles, AreReachedFromFarAway) {
     for (const auto& [name, angle] :
          {std::pair("three_rockers_a.adm", 0.2), std::pair("three_rockers_b.adm", -0.03590622423542289)}) {
-        Diagnostics diagnostics;
-        const Dataset dataset = readDatasetFile(testing::getDataFolder() + "assembly/" + name, diagnostics);
-        const std::optional<Mechanism> mechanism =
-            buildMechanism(dataset, diagnostics, testing::getBuildOptions());
-        ASSERT_TRUE(mechanism) << testing::formatAll(diagnostics);
-        const AssembledState assembled = assemble(*mechanism);
-        EXPECT_NEAR(mechanism->getRequests()[0].functions[0].second.calcValue(assembled.state), angle,
+        const Mechanism mechanism = testing::buildFileOrFail(testing::getDataFolder() + "assembly/" + name);
+        const AssembledState assembled = assemble(mechanism);
+        EXPECT_NEAR(mechanism.getRequests()[0].functions[0].second.calcValue(assembled.state), angle,
                     Tolerance);
         EXPECT_LT(std::max(assembled.after.length, assembled.after.angle), Tolerance);
     }

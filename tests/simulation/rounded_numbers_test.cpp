@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "base/format.h"
 #include "jprim/marker/angles.h"
@@ -75,11 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{5, Formulation::Constraints, Redundancy::Share}));
 
 AssembledState assembleFile(const std::string& name, Formulation formulation) {
-    Diagnostics diagnostics;
-    const Dataset dataset = readDatasetFile(testing::getDataFolder() + "assembly/" + name, diagnostics);
-    const std::optional<Mechanism> mechanism = buildMechanism(dataset, diagnostics, {formulation});
-    if (!mechanism) throw std::logic_error(testing::formatAll(diagnostics));
-    return assemble(*mechanism);
+    return assemble(testing::buildFileOrFail(testing::getDataFolder() + "assembly/" + name, {formulation}));
 }
 
 // What is kept of the equations is met in another place too, where a hinge stands 187 mm open.

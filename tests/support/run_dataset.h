@@ -47,11 +47,11 @@ inline Mechanism buildOrFail(const std::string& text, const BuildOptions& option
     return std::move(*mechanism);
 }
 
-inline Mechanism buildFileOrFail(const std::string& path) {
+inline Mechanism buildFileOrFail(const std::string& path, const BuildOptions& options = getBuildOptions()) {
     Diagnostics diagnostics;
     const Dataset dataset = readDatasetFile(path, diagnostics);
     std::optional<Mechanism> mechanism;
-    if (!hasErrors(diagnostics)) mechanism = buildMechanism(dataset, diagnostics, getBuildOptions());
+    if (!hasErrors(diagnostics)) mechanism = buildMechanism(dataset, diagnostics, options);
     if (!mechanism) throw std::runtime_error(path + "\n" + formatAll(diagnostics));
     return std::move(*mechanism);
 }

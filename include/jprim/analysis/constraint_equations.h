@@ -31,6 +31,8 @@ struct ConstraintEquation {
     bool isLength = false;              ///< its error counts as a length, otherwise as an angle
     SimTK::Real scale = 1;              ///< the factor in the State, see PairConstraint::setEquationScale()
 
+    bool isDropped() const { return scale == 0; }
+
     /// Its error in its own unit, from all errors of one kind as Simbody numbers them; 0 if it is dropped.
     SimTK::Real getError(const SimTK::Vector& errors) const {
         return scale > 0 ? errors[multiplier] / scale : 0;

@@ -138,14 +138,7 @@ CommandFile readCommands(std::string_view text, Diagnostics& diagnostics) {
 }
 
 CommandFile readCommandFile(const std::string& path, Diagnostics& diagnostics) {
-    const std::optional<std::string> text = readFile(path);
-    if (!text) {
-        diagnostics.push_back({Severity::Error, {}, UnreadableFile});
-        return {};
-    }
-    CommandFile file = readCommands(*text, diagnostics);
-    file.folder = getFolder(path);
-    return file;
+    return readFrom(path, diagnostics, readCommands);
 }
 
 }  // namespace jprim
