@@ -82,7 +82,7 @@ ElementName findName(const Constraint& constraint, const ElementNames& names) {
     if (const auto* pair = findImplementation<PairConstraintImpl>(constraint))
         return {pair->getDescription(), describeEquations(*pair)};
     if (const auto* general = findImplementation<GeneralConstraintImpl>(constraint))
-        return {general->getDescription(), {"its equation"}, general->isLength()};
+        return {general->getDescription(), {"its equation"}, general->getDimension()};
     return {fmt::format("{} (constraint {})", nameType(constraint), int(index)), {}};
 }
 
@@ -108,7 +108,7 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
             equations.push_back(
                 {name.element, isNamed ? name.equations[number] : fmt::format("equation {}", number + 1),
                  level, constraint.getConstraintIndex(), number, int(first) + k,
-                 pair ? pair->isTranslational(number) : name.isLength, findScale(constraint, state, number)});
+                 pair ? pair->getDimension(number) : name.dimension, findScale(constraint, state, number)});
         }
     };
     append(mp, firstP, EquationLevel::Holonomic);

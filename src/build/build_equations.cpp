@@ -45,7 +45,7 @@ void MechanismBuilder::addEquation(const std::string& name, GeneralConstraint co
     }
     const Real size = std::max(linear, angular);
     if (size > 0 && std::isfinite(size)) constraint.setDefaultScale(std::exp2(-std::round(std::log2(size))));
-    m_mechanism.m_equations.push_back({name, constraint, linear > 0});
+    m_mechanism.m_equations.push_back({name, constraint, linear > 0 ? Dimension::Length : Dimension::Angle});
 }
 
 namespace {
@@ -125,7 +125,7 @@ void MechanismBuilder::addMotion(const MotionStatement& s) {
     }
     const Coordinate coordinate = getCoordinate(s.axis, jointType);
     const UnitSystem& units = m_mechanism.m_units;
-    const Real displacement = isLength(coordinate) ? units.length : 1;
+    const Real displacement = units.getDisplacement(getDimension(coordinate));
     const int derivative = int(s.level);
     attempt(name, s.where, [&] {
         const Expression function = write(FunctionUse::OfTime, [&](FunctionWriter& w) {
@@ -133,7 +133,7 @@ void MechanismBuilder::addMotion(const MotionStatement& s) {
         });
         const Marker &I = m_mechanism.getMarker(i), &J = m_mechanism.getMarker(j);
         const PrescribedMotion motion(I, J, coordinate, function, derivative, name);
-        m_mechanism.m_equations.push_back({name, motion, isLength(coordinate)});
+        m_mechanism.m_equations.push_back({name, motion, getDimension(coordinate)});
         m_mechanism.m_hasPower = true;
         m_working.push_back(motion);
         addLoadElement({name, i, j, [motion](const State& state) { return motion.calcReactionOnI(state); },
@@ -147,10 +147,10 @@ void MechanismBuilder::addInitialCoordinate(const std::string& name, int i, int 
                                             const std::optional<double>& rate) {
     if (!value && !rate) return;
     const UnitSystem& units = m_mechanism.m_units;
-    const Real unit = isLength(coordinate) ? units.length : 1;
+    const Real unit = units.getDisplacement(getDimension(coordinate));
     InitialCoordinate given{name,
                             makeCoordinate(m_mechanism.getMarker(i), m_mechanism.getMarker(j), coordinate),
-                            !isLength(coordinate),
+                            getDimension(coordinate),
                             {},
                             {}};
     if (value) given.value = *value * unit;

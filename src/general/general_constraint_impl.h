@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "jprim/base/units.h"
 #include "jprim/marker/expression.h"
 #include "marker/angle_memory.h"
 #include "marker/constrained_marker.h"
@@ -44,8 +45,8 @@ public:
     std::string getDescription() const { return describeGeneral(m_adamsType, m_name); }
     const Marker& getMarker(int key) const;
     bool isHolonomic() const { return m_equationLevel == 0; }
-    /// True if the expression depends on where markers are, and not only on how they are turned.
-    bool isLength() const;
+    /// A length if the expression depends on where markers are, and not only on how they are turned.
+    Dimension getDimension() const;
     void setScale(SimTK::Real scale) {
         invalidateTopologyCache();
         m_scale = scale;

@@ -114,14 +114,14 @@ std::string describeGeneral(const char* adamsType, const std::string& name) {
     return isJoint ? name + " " + adamsType : name;
 }
 
-bool GeneralConstraintImpl::isLength() const {
+Dimension GeneralConstraintImpl::getDimension() const {
     for (size_t k = 0; k < m_coordinate->vectorInputs.size(); ++k) {
         const MarkerQuantity quantity = m_coordinate->vectorInputs[k].quantity;
         if (m_coordinate->program.usesVectorInput(int(k)) &&
             (quantity == MarkerQuantity::Origin || quantity == MarkerQuantity::Velocity))
-            return true;
+            return Dimension::Length;
     }
-    return false;
+    return Dimension::Angle;
 }
 
 const Marker& GeneralConstraintImpl::getMarker(int key) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "jprim/base/units.h"
 #include "jprim/marker/marker.h"
 #include "jprim/marker/marker_pair.h"
 #include "marker/constrained_marker.h"
@@ -53,6 +54,7 @@ public:
     /// What equation k holds, in words, and whether it is a length.
     const char* describeEquation(int k) const { return m_equations.at(size_t(k)).words; }
     bool isTranslational(int k) const { return m_equations.at(size_t(k)).isTranslational; }
+    Dimension getDimension(int k) const { return isTranslational(k) ? Dimension::Length : Dimension::Angle; }
     /// The name if there is one, and the type: what messages call this element.
     std::string getDescription() const;
     Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose()}; }

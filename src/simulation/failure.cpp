@@ -129,8 +129,8 @@ std::string describeLargestError(const Mechanism& mechanism, const State& state)
         if (error <= largest) continue;
         largest = error;
         text = fmt::format("; the largest constraint error is {:.3g} {} at {}",
-                           equation.isLength ? error / mechanism.getUnits().length : error,
-                           equation.isLength ? "length units" : "rad", equation.getText());
+                           error / mechanism.getUnits().getDisplacement(equation.dimension),
+                           getUnitName(equation.dimension), equation.getText());
     }
     return text;
 }

@@ -36,7 +36,7 @@ void keepWorst(Violation& worst, const Violation& now) {
 
 void keepWorst(Violation& worst, const ConstraintEquation& equation, Real error) {
     Violation violation{0, 0, equation.element};
-    (equation.isLength ? violation.length : violation.angle) = std::abs(error);
+    (equation.dimension == Dimension::Length ? violation.length : violation.angle) = std::abs(error);
     keepWorst(worst, violation);
 }
 

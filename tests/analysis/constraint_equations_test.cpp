@@ -96,8 +96,8 @@ TEST(ConstraintEquations, JointsAndPrimitivesByTheirNames) {
     EXPECT_EQ(equations[0].getText(), "JOINT/1 HOOKE: translation of I along Xj");
     EXPECT_EQ(equations[3].getText(), "JOINT/1 HOOKE: rotation between Xi and Yj");
     EXPECT_EQ(equations[7].getText(), "JPRIM/12 PARALLEL_AXES: rotation between Zi and Xj");
-    EXPECT_TRUE(equations[0].isLength);
-    EXPECT_FALSE(equations[3].isLength);
+    EXPECT_EQ(equations[0].dimension, Dimension::Length);
+    EXPECT_EQ(equations[3].dimension, Dimension::Angle);
     EXPECT_STREQ(getName(equations[7].level), "holonomic");
 }
 

@@ -155,7 +155,7 @@ TEST(Handles, NamesAreFoundWithoutAList) {
     std::string lengths;
     for (const ConstraintEquation& equation : findEquations(t.matter, state)) {
         texts.push_back(equation.getText());
-        lengths += equation.isLength ? 'L' : '-';
+        lengths += equation.dimension == Dimension::Length ? 'L' : '-';
     }
     texts.resize(9);
     EXPECT_EQ(texts,

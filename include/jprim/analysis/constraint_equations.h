@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "SimTKsimbody.h"
+#include "jprim/base/units.h"
 #include "jprim/joint/joint.h"
 #include "jprim/simbody_abi.h"
 
@@ -25,11 +26,11 @@ struct ConstraintEquation {
     std::string element;  ///< "JOINT/3 REVOLUTE"
     std::string words;    ///< what it holds: "translation of I along Xj"
     EquationLevel level = EquationLevel::Holonomic;
-    SimTK::ConstraintIndex constraint;  ///< the Simbody constraint it belongs to
-    int number = 0;                     ///< its place among that constraint's equations, from 0
-    int multiplier = 0;                 ///< its row in G and place among the multipliers
-    bool isLength = false;              ///< its error counts as a length, otherwise as an angle
-    SimTK::Real scale = 1;              ///< the factor in the State, see PairConstraint::setEquationScale()
+    SimTK::ConstraintIndex constraint;       ///< the Simbody constraint it belongs to
+    int number = 0;                          ///< its place among that constraint's equations, from 0
+    int multiplier = 0;                      ///< its row in G and place among the multipliers
+    Dimension dimension = Dimension::Angle;  ///< of its error
+    SimTK::Real scale = 1;  ///< the factor in the State, see PairConstraint::setEquationScale()
 
     /// Its error in its own unit, from all errors of one kind as Simbody numbers them; 0 if it is dropped.
     SimTK::Real getError(const SimTK::Vector& errors) const {
@@ -42,8 +43,8 @@ struct ConstraintEquation {
 /// What the user calls a Simbody constraint.
 struct ElementName {
     std::string element;
-    std::vector<std::string> equations;  ///< words for each; where they end, "equation 3"
-    bool isLength = false;               ///< errors are lengths; a PairConstraint says so itself
+    std::vector<std::string> equations;      ///< words for each; where they end, "equation 3"
+    Dimension dimension = Dimension::Angle;  ///< of errors; a PairConstraint knows its own
 };
 using ElementNames = std::map<SimTK::ConstraintIndex, ElementName>;
 

@@ -12,6 +12,12 @@ namespace jprim {
 /// The four base quantities that an Adams dataset chooses units for. Angles are always radians.
 enum class Quantity { Force, Mass, Length, Time };
 
+/// What a coordinate or the error of an equation is: a length, or an angle [rad].
+enum class Dimension { Length, Angle };
+
+/// The unit of a dataset's value in a message: "length units" or "rad".
+const char* getUnitName(Dimension dimension);
+
 /// A unit's Adams name and its size in SI: newton, kilogram, metre or second.
 struct Unit {
     std::string_view name;
@@ -28,6 +34,7 @@ struct UnitSystem {
     double length = 1;
     double time = 1;
 
+    double getDisplacement(Dimension dimension) const { return dimension == Dimension::Length ? length : 1; }
     double getVelocity() const { return length / time; }
     double getAcceleration() const { return length / (time * time); }
     double getAngularVelocity() const { return 1 / time; }

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "jprim/base/units.h"
 #include "jprim/general/general_constraint.h"
 
 namespace jprim {
@@ -19,8 +20,7 @@ enum class Coordinate {
     B3
 };
 
-/// True if the coordinate is a length; false if it is an angle.
-bool isLength(Coordinate coordinate);
+Dimension getDimension(Coordinate coordinate);
 
 /// The coordinate as an expression, in the system's units and rad; the keys of I and J are 1 and 2. Angles
 /// are within half a turn, or with `countTurns` a Rotation counts whole turns.

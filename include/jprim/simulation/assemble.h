@@ -30,7 +30,7 @@ struct MissedCoordinate {
     std::string element;     ///< "PART/3", "JOINT/2"
     std::string coordinate;  ///< "EXACT PSI", "initial value"
     SimTK::Real amount = 0;  ///< by which it is missed [length unit or rad]
-    bool isLength = false;
+    Dimension dimension = Dimension::Angle;
 };
 
 /// "0.524 rad", or a length in units of the dataset: "3 length units".
