@@ -102,7 +102,7 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
     const auto* pair = findImplementation<PairConstraintImpl>(constraint);
     const ElementName name = findName(constraint, names);
     int number = 0;
-    const auto append = [&](int count, MultiplierIndex first, EquationLevel level) {
+    const auto append = [&](int count, MultiplierIndex first, KinematicLevel level) {
         for (int k = 0; k < count; ++k, ++number) {
             const bool isNamed = number < int(name.equations.size());
             equations.push_back(
@@ -111,18 +111,18 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
                  pair ? pair->getDimension(number) : name.dimension, findScale(constraint, state, number)});
         }
     };
-    append(mp, firstP, EquationLevel::Holonomic);
-    append(mv, firstV, EquationLevel::Nonholonomic);
-    append(ma, firstA, EquationLevel::Acceleration);
+    append(mp, firstP, KinematicLevel::Position);
+    append(mv, firstV, KinematicLevel::Velocity);
+    append(ma, firstA, KinematicLevel::Acceleration);
 }
 
 }  // namespace
 
-const char* getName(EquationLevel level) {
+const char* getEquationKind(KinematicLevel level) {
     switch (level) {
-        case EquationLevel::Holonomic: return "holonomic";
-        case EquationLevel::Nonholonomic: return "nonholonomic";
-        case EquationLevel::Acceleration: break;
+        case KinematicLevel::Position: return "holonomic";
+        case KinematicLevel::Velocity: return "nonholonomic";
+        case KinematicLevel::Acceleration: break;
     }
     return "acceleration";
 }

@@ -13,8 +13,8 @@ using SimTK::State;
 using SimTK::Vec3;
 using SimTK::Vector;
 
-std::string findForceProblem(InputLevel level) {
-    return level < InputLevel::Acceleration
+std::string findForceProblem(KinematicLevel level) {
+    return level < KinematicLevel::Acceleration
                ? ""
                : "a force cannot depend on accelerations or reactions, which are known only when all forces are";
 }
@@ -33,7 +33,7 @@ std::optional<TrackedExpression> take(const std::optional<Expression>& expressio
          {findForceProblem(program.getLevel()),
           expression->getImplementation().findDerivativeProblem(neededDerivatives)})
         if (!problem.empty()) throw Error(element, problem);
-    if (!isVector && program.getLevel() != InputLevel::Position)
+    if (!isVector && program.getLevel() != KinematicLevel::Position)
         throw Error(element, fmt::format("its {} depends on velocities; an energy that is stored depends on "
                                          "positions and TIME only",
                                          what));

@@ -10,7 +10,7 @@
 namespace jprim {
 
 /// What is wrong with a value in the expression of a force, or empty.
-std::string findForceProblem(InputLevel level);
+std::string findForceProblem(KinematicLevel level);
 
 class MarkerForceImpl : public SimTK::Force::Custom::Implementation {
 public:

@@ -49,8 +49,8 @@ Expression makeMotionCoordinate(const Marker& I, const Marker& J, Coordinate coo
 }  // namespace
 
 PrescribedMotion::PrescribedMotion(const Marker& I, const Marker& J, Coordinate coordinate,
-                                   const Expression& function, int derivative, const std::string& name)
-    : TypedHandle(DrivenCoordinate, makeMotionCoordinate(I, J, coordinate, name), function, derivative,
+                                   const Expression& function, KinematicLevel level, const std::string& name)
+    : TypedHandle(DrivenCoordinate, makeMotionCoordinate(I, J, coordinate, name), function, level,
                   getDimension(coordinate) == Dimension::Length ? Real(0) : 2 * SimTK::Pi, name) {}
 
 bool PrescribedMotion::isInstanceOf(const SimTK::Constraint& constraint) {

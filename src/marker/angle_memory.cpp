@@ -49,7 +49,7 @@ public:
     void calcAngles(const State& state, Vector& angles) const {
         Evaluation& evaluation =
             Value<Evaluation>::updDowncast(state.updCacheEntry(m_subsystem, m_evaluation)).upd();
-        m_expression.setInputs(state, evaluation, InputLevel::Position);
+        m_expression.setInputs(state, evaluation, KinematicLevel::Position);
         recall(state, evaluation);
         if (m_expression.program.isVector())
             evaluation.calcVectorValue();

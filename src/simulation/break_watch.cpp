@@ -77,8 +77,8 @@ void BreakWatch::requireNoJump(const Mechanism& mechanism, const State& before, 
     mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
     const SimTK::Vector jumps = state.getQErr() - positions, rates = state.getUErr() - velocities;
     for (const ConstraintEquation& equation : mechanism.findEquations(state)) {
-        if (equation.level == EquationLevel::Acceleration) continue;
-        const bool isOfPositions = equation.level == EquationLevel::Holonomic;
+        if (equation.level == KinematicLevel::Acceleration) continue;
+        const bool isOfPositions = equation.level == KinematicLevel::Position;
         const bool isJump = isOfPositions && std::abs(equation.getError(jumps)) > Rounding * far;
         if (!isJump && std::abs(equation.getError(rates)) <= Rounding * fast) continue;
         throw Error(equation.element,

@@ -124,7 +124,7 @@ std::string describeLargestError(const Mechanism& mechanism, const State& state)
     Real largest = 0;
     for (const ConstraintEquation& equation :
          findEquations(mechanism.getMatter(), state, mechanism.getElementNames())) {
-        if (equation.level != EquationLevel::Holonomic) continue;
+        if (equation.level != KinematicLevel::Position) continue;
         const Real error = std::abs(equation.getError(state.getQErr()));
         if (error <= largest) continue;
         largest = error;

@@ -21,7 +21,7 @@ Violation calcViolation(const std::vector<ConstraintEquation>& equations, const 
     const Vector& errors = state.getQErr();
     Violation violation;
     for (const ConstraintEquation& equation : equations) {
-        if (equation.level != EquationLevel::Holonomic) break;
+        if (equation.level != KinematicLevel::Position) break;
         keepWorst(violation, equation, equation.getError(errors));
     }
     return violation;

@@ -31,7 +31,9 @@ Json makeMissed(const std::vector<MissedCoordinate>& missed, const UnitSystem& u
 }
 
 Json makeEquation(const ConstraintEquation& equation) {
-    return {{"element", equation.element}, {"equation", equation.words}, {"level", getName(equation.level)}};
+    return {{"element", equation.element},
+            {"equation", equation.words},
+            {"level", getEquationKind(equation.level)}};
 }
 
 // Those of reading and building, then why it cannot be assembled.

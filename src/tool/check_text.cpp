@@ -110,8 +110,9 @@ void Printer::printRedundant() const {
     const ConstraintReport& c = m_report.constraints;
     for (const RedundantEquation& r : c.redundant) {
         const ConstraintEquation& equation = c.equations[size_t(r.equation)];
-        const std::string level =
-            equation.level == EquationLevel::Holonomic ? "" : fmt::format(" ({})", getName(equation.level));
+        const std::string level = equation.level == KinematicLevel::Position
+                                      ? ""
+                                      : fmt::format(" ({})", getEquationKind(equation.level));
         printLine(r.onlyHere ? "redundant only here" : "redundant", equation.getText() + level);
         std::string label = "    follows from";
         for (const std::string& line : formatByElement(c.equations, r.dependsOn))

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "SimTKsimbody.h"
+#include "jprim/base/kinematic_level.h"
 #include "jprim/base/units.h"
 #include "jprim/joint/joint.h"
 #include "jprim/simbody_abi.h"
@@ -15,17 +16,15 @@
 /// The constraint equations of any Simbody system, named as a user knows them.
 namespace jprim {
 
-/// What an equation is written for: positions, g(q, t) = 0; speeds, not integrable; or accelerations alone.
-enum class EquationLevel { Holonomic, Nonholonomic, Acceleration };
-
-/// The word for a level: "holonomic", "nonholonomic", "acceleration".
-const char* getName(EquationLevel level);
+/// The word for equations of positions, g(q, t) = 0; of speeds, not integrable; or of accelerations alone: "holonomic",
+/// "nonholonomic", "acceleration".
+const char* getEquationKind(KinematicLevel level);
 
 /// One equation that is in use in a State.
 struct ConstraintEquation {
     std::string element;  ///< "JOINT/3 REVOLUTE"
     std::string words;    ///< what it holds: "translation of I along Xj"
-    EquationLevel level = EquationLevel::Holonomic;
+    KinematicLevel level = KinematicLevel::Position;
     SimTK::ConstraintIndex constraint;       ///< the Simbody constraint it belongs to
     int number = 0;                          ///< its place among that constraint's equations, from 0
     int multiplier = 0;                      ///< its row in G and place among the multipliers

@@ -37,11 +37,11 @@ public:
 
     /// An empty handle; good only to be assigned to.
     PrescribedMotion() = default;
-    /// @param function    of nothing but TIME; an angle may go on for whole turns
-    /// @param derivative  which derivative of the coordinate the function gives: 0, 1 or 2
+    /// @param function  of nothing but TIME; an angle may go on for whole turns
+    /// @param level     what the function gives: the coordinate, its rate or its acceleration
     /// @throws Error as GeneralConstraint and as primitives do
     PrescribedMotion(const Marker& I, const Marker& J, Coordinate coordinate, const Expression& function,
-                     int derivative = 0, const std::string& name = "");
+                     KinematicLevel level = KinematicLevel::Position, const std::string& name = "");
 
     /// [moment, force] on the marker's body at its origin, in Ground. Requires Stage::Acceleration.
     SimTK::SpatialVec calcReactionOnI(const SimTK::State& state) const;
