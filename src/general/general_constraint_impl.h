@@ -32,7 +32,7 @@ std::string describeGeneral(const char* adamsType, const std::string& name);
 ///
 /// What whole turns of an angle in q change may be known to be whole periods of the error. Such turns need no
 /// memory: the error is what is left of its periods.
-class GeneralConstraintImpl : public SimTK::Constraint::Custom::Implementation {
+class GeneralConstraintImpl final : public SimTK::Constraint::Custom::Implementation {
 public:
     /// @param adamsType  a literal: Gcon, DrivenCoordinate or that of a joint
     /// @param function   null if the equation is q = 0

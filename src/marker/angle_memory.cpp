@@ -25,7 +25,7 @@ void checkTurns(const Vector& turns, int numAngles, const std::string& element) 
 
 // The angles differ from those remembered by the motion of one step. Which turn an angle is in does not depend on
 // when it was last remembered, so nothing is invalid after an update.
-class AngleMemory::Follower : public SimTK::AbstractMeasure::Implementation {
+class AngleMemory::Follower final : public SimTK::AbstractMeasure::Implementation {
 public:
     explicit Follower(const MarkerExpression& expression) : m_expression(expression) {}
 

@@ -30,7 +30,7 @@ bool isOfDatasets(const std::string& name) {
 }
 
 /// The measures of markers and what a program defines.
-class DefinedVocabulary : public MarkerVocabulary {
+class DefinedVocabulary final : public MarkerVocabulary {
 public:
     DefinedVocabulary(MarkerFrames& frames, const ExpressionDefinitions& definitions)
         : MarkerVocabulary(frames), m_definitions(definitions) {

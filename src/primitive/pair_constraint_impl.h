@@ -19,7 +19,7 @@ namespace jprim {
 ///
 /// The rows of the constraint Jacobian are computed once per position and their bias once per velocity:
 /// Simbody asks every constraint once for each multiplier of the whole system.
-class PairConstraintImpl : public SimTK::Constraint::Custom::Implementation {
+class PairConstraintImpl final : public SimTK::Constraint::Custom::Implementation {
 public:
     static constexpr int MaxEquations = 2 * PairEquations::MaxEquations;
     using Errors = std::array<SimTK::Real, MaxEquations>;

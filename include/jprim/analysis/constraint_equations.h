@@ -18,7 +18,7 @@ namespace jprim {
 
 /// The word for equations of positions, g(q, t) = 0; of speeds, not integrable; or of accelerations alone: "holonomic",
 /// "nonholonomic", "acceleration".
-const char* getEquationKind(KinematicLevel level);
+[[nodiscard]] const char* getEquationKind(KinematicLevel level);
 
 /// One equation that is in use in a State.
 struct ConstraintEquation {
@@ -32,11 +32,11 @@ struct ConstraintEquation {
     SimTK::Real scale = 1;  ///< the factor in the State, see PairConstraint::setEquationScale()
 
     /// Its error in its own unit, from all errors of one kind as Simbody numbers them; 0 if it is dropped.
-    SimTK::Real getError(const SimTK::Vector& errors) const {
+    [[nodiscard]] SimTK::Real getError(const SimTK::Vector& errors) const {
         return scale > 0 ? errors[multiplier] / scale : 0;
     }
     /// "JOINT/3 REVOLUTE: translation of I along Xj".
-    std::string getText() const { return element + ": " + words; }
+    [[nodiscard]] std::string getText() const { return element + ": " + words; }
 };
 
 /// What the user calls a Simbody constraint.
@@ -48,13 +48,14 @@ struct ElementName {
 using ElementNames = std::map<SimTK::ConstraintIndex, ElementName>;
 
 /// The names that joints have anyway, for changing some.
-ElementNames nameElements(const std::vector<Joint>& joints);
+[[nodiscard]] ElementNames nameElements(const std::vector<Joint>& joints);
 
 /// All equations in use, in the order in which the constraints were added to the system. A constraint that `names`
 /// leaves out is called by its own description if it is one of jprim's, any other by its class and index, as in
 /// "Ball (constraint 4)". Requires Stage::Instance.
-std::vector<ConstraintEquation> findEquations(const SimTK::SimbodyMatterSubsystem& matter,
-                                              const SimTK::State& state, const ElementNames& names = {});
+[[nodiscard]] std::vector<ConstraintEquation> findEquations(const SimTK::SimbodyMatterSubsystem& matter,
+                                                            const SimTK::State& state,
+                                                            const ElementNames& names = {});
 
 }  // namespace jprim
 

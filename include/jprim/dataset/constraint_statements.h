@@ -111,11 +111,11 @@ struct CouplerStatement {
 };
 
 /// Adams' spelling of a type, in full and upper case: "PARALLEL_AXES", "REVOLUTE", "B1".
-const char* getAdamsName(JprimType type);
-const char* getAdamsName(JointType type);
-const char* getAdamsName(MotionAxis axis);       ///< empty for Joint
-const char* getAdamsName(KinematicLevel level);  ///< DISPLACEMENT, VELOCITY or ACCELERATION
-const char* getAdamsName(CouplerType type);
+[[nodiscard]] const char* getAdamsName(JprimType type);
+[[nodiscard]] const char* getAdamsName(JointType type);
+[[nodiscard]] const char* getAdamsName(MotionAxis axis);       ///< empty for Joint
+[[nodiscard]] const char* getAdamsName(KinematicLevel level);  ///< DISPLACEMENT, VELOCITY or ACCELERATION
+[[nodiscard]] const char* getAdamsName(CouplerType type);
 
 }  // namespace jprim
 

@@ -20,11 +20,12 @@ enum class Coordinate {
     B3
 };
 
-Dimension getDimension(Coordinate coordinate);
+[[nodiscard]] Dimension getDimension(Coordinate coordinate);
 
 /// The coordinate as an expression, in the system's units and rad; the keys of I and J are 1 and 2. Angles
 /// are within half a turn, or with `countTurns` a Rotation counts whole turns.
-Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinate, bool countTurns = false);
+[[nodiscard]] Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinate,
+                                        bool countTurns = false);
 
 /// Adams' MOTION: a coordinate, its rate or its acceleration is a function of time. One equation; of
 /// positions, velocities or accelerations, and only what it prescribes is kept exactly. The reaction is the
