@@ -3,6 +3,7 @@
 
 #include "base/format.h"
 #include "jprim/base/error.h"
+#include "jprim/marker/marker_pair.h"
 #include "marker/require_on_body.h"
 
 namespace jprim {
@@ -113,7 +114,7 @@ namespace {
 
 SpatialVec calcOpposite(const State& state, const SpatialVec& onI, const Marker& I, const Marker& J) {
     const Vec3 r = I.findPoseInGround(state).p() - J.findPoseInGround(state).p();
-    return -SimTK::shiftForceBy(onI, -r);
+    return calcOppositeLoad(onI, r);
 }
 
 }  // namespace
