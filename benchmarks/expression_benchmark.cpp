@@ -24,8 +24,8 @@ const char* const Text =
 class Names : public jprim::Vocabulary {
 public:
     explicit Names(jprim::ProgramBuilder& builder)
-        : m_Q(builder.addScalarInput(jprim::InputLevel::Position)),
-          m_U(builder.addScalarInput(jprim::InputLevel::Velocity)) {}
+        : m_Q(builder.addScalarInput(jprim::KinematicLevel::Position)),
+          m_U(builder.addScalarInput(jprim::KinematicLevel::Velocity)) {}
 
     std::optional<Operand> call(jprim::ProgramBuilder&, const jprim::Call& call) override {
         if (call.name == "Q") return m_Q;

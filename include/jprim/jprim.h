@@ -10,6 +10,7 @@
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/diagnostic.h"
 #include "jprim/base/error.h"
+#include "jprim/base/kinematic_level.h"
 #include "jprim/base/units.h"
 #include "jprim/build/build_mechanism.h"
 #include "jprim/build/find_mistakes.h"

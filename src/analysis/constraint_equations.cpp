@@ -82,7 +82,7 @@ ElementName findName(const Constraint& constraint, const ElementNames& names) {
     if (const auto* pair = findImplementation<PairConstraintImpl>(constraint))
         return {pair->getDescription(), describeEquations(*pair)};
     if (const auto* general = findImplementation<GeneralConstraintImpl>(constraint))
-        return {general->getDescription(), {"its equation"}, general->isLength()};
+        return {general->getDescription(), {"its equation"}, general->getDimension()};
     return {fmt::format("{} (constraint {})", nameType(constraint), int(index)), {}};
 }
 
@@ -102,27 +102,27 @@ void appendEquations(const Constraint& constraint, const State& state, const Ele
     const auto* pair = findImplementation<PairConstraintImpl>(constraint);
     const ElementName name = findName(constraint, names);
     int number = 0;
-    const auto append = [&](int count, MultiplierIndex first, EquationLevel level) {
+    const auto append = [&](int count, MultiplierIndex first, KinematicLevel level) {
         for (int k = 0; k < count; ++k, ++number) {
             const bool isNamed = number < int(name.equations.size());
             equations.push_back(
                 {name.element, isNamed ? name.equations[number] : fmt::format("equation {}", number + 1),
                  level, constraint.getConstraintIndex(), number, int(first) + k,
-                 pair ? pair->isTranslational(number) : name.isLength, findScale(constraint, state, number)});
+                 pair ? pair->getDimension(number) : name.dimension, findScale(constraint, state, number)});
         }
     };
-    append(mp, firstP, EquationLevel::Holonomic);
-    append(mv, firstV, EquationLevel::Nonholonomic);
-    append(ma, firstA, EquationLevel::Acceleration);
+    append(mp, firstP, KinematicLevel::Position);
+    append(mv, firstV, KinematicLevel::Velocity);
+    append(ma, firstA, KinematicLevel::Acceleration);
 }
 
 }  // namespace
 
-const char* getName(EquationLevel level) {
+const char* getEquationKind(KinematicLevel level) {
     switch (level) {
-        case EquationLevel::Holonomic: return "holonomic";
-        case EquationLevel::Nonholonomic: return "nonholonomic";
-        case EquationLevel::Acceleration: break;
+        case KinematicLevel::Position: return "holonomic";
+        case KinematicLevel::Velocity: return "nonholonomic";
+        case KinematicLevel::Acceleration: break;
     }
     return "acceleration";
 }

@@ -50,7 +50,7 @@ bool hasOnlyEmptyHolonomic(const std::vector<ConstraintEquation>& equations, con
     constexpr double Doubtful = 1e-7;  // as a singular value that stands alone
     bool hasHolonomic = false;
     for (int i = 0; i < A.rows(); ++i) {
-        if (equations[size_t(i)].level != EquationLevel::Holonomic) continue;
+        if (equations[size_t(i)].level != KinematicLevel::Position) continue;
         if (A.row(i).norm() > std::max(Doubtful, uncertainty)) return false;
         hasHolonomic = true;
     }

@@ -161,7 +161,7 @@ VectorXd ScaledEquations::calcErrors(const State& state) const {
     VectorXd errors = VectorXd::Zero(int(m_equations.size()));
     for (int i = 0; i < errors.size(); ++i) {
         const ConstraintEquation& equation = m_equations[size_t(i)];
-        if (equation.level == EquationLevel::Holonomic)
+        if (equation.level == KinematicLevel::Position)
             errors[i] = m_rowScale[i] * state.getQErr()[equation.multiplier];
     }
     return errors;
@@ -181,7 +181,7 @@ State ScaledEquations::move(const State& state, const VectorXd& u) const {
 std::vector<ConstraintEquation> selectHolonomic(const std::vector<ConstraintEquation>& equations) {
     std::vector<ConstraintEquation> selected;
     std::copy_if(equations.begin(), equations.end(), std::back_inserter(selected),
-                 [](const ConstraintEquation& e) { return e.level == EquationLevel::Holonomic; });
+                 [](const ConstraintEquation& e) { return e.level == KinematicLevel::Position; });
     return selected;
 }
 

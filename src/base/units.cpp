@@ -68,6 +68,10 @@ const std::vector<Unit>& getUnits(Quantity quantity) {
     return time;
 }
 
+const char* getUnitName(Dimension dimension) {
+    return dimension == Dimension::Length ? "length units" : "rad";
+}
+
 std::optional<Unit> findUnit(Quantity quantity, std::string_view name) {
     std::optional<Unit> found;
     if (name.empty()) return found;

@@ -45,7 +45,7 @@ void MechanismBuilder::addEquation(const std::string& name, GeneralConstraint co
     }
     const Real size = std::max(linear, angular);
     if (size > 0 && std::isfinite(size)) constraint.setDefaultScale(std::exp2(-std::round(std::log2(size))));
-    m_mechanism.m_equations.push_back({name, constraint, linear > 0});
+    m_mechanism.m_equations.push_back({name, constraint, linear > 0 ? Dimension::Length : Dimension::Angle});
 }
 
 namespace {
@@ -60,7 +60,7 @@ int findOther(const std::vector<int>& markers, int i) {
 // satisfy. In which position does not matter, as long as it is not a special one.
 bool doesWork(const MarkerExpression& f) {
     if (f.program.getTimeInput() >= 0) return true;
-    if (f.program.getLevel() != InputLevel::Velocity) return false;
+    if (f.program.getLevel() != KinematicLevel::Velocity) return false;
     std::vector<MarkerMotion> atRest;
     for (size_t k = 0; k < f.markers.size(); ++k)
         atRest.push_back({Transform(SimTK::Rotation(1.1 + Real(k), SimTK::UnitVec3(1, 2, 3)),
@@ -125,15 +125,14 @@ void MechanismBuilder::addMotion(const MotionStatement& s) {
     }
     const Coordinate coordinate = getCoordinate(s.axis, jointType);
     const UnitSystem& units = m_mechanism.m_units;
-    const Real displacement = isLength(coordinate) ? units.length : 1;
-    const int derivative = int(s.level);
+    const Real displacement = units.getDisplacement(getDimension(coordinate));
     attempt(name, s.where, [&] {
         const Expression function = write(FunctionUse::OfTime, [&](FunctionWriter& w) {
-            return w.scale(displacement / std::pow(units.time, derivative), w.scalar(s.function));
+            return w.scale(displacement / std::pow(units.time, int(s.level)), w.scalar(s.function));
         });
         const Marker &I = m_mechanism.getMarker(i), &J = m_mechanism.getMarker(j);
-        const PrescribedMotion motion(I, J, coordinate, function, derivative, name);
-        m_mechanism.m_equations.push_back({name, motion, isLength(coordinate)});
+        const PrescribedMotion motion(I, J, coordinate, function, s.level, name);
+        m_mechanism.m_equations.push_back({name, motion, getDimension(coordinate)});
         m_mechanism.m_hasPower = true;
         m_working.push_back(motion);
         addLoadElement({name, i, j, [motion](const State& state) { return motion.calcReactionOnI(state); },
@@ -147,10 +146,10 @@ void MechanismBuilder::addInitialCoordinate(const std::string& name, int i, int 
                                             const std::optional<double>& rate) {
     if (!value && !rate) return;
     const UnitSystem& units = m_mechanism.m_units;
-    const Real unit = isLength(coordinate) ? units.length : 1;
+    const Real unit = units.getDisplacement(getDimension(coordinate));
     InitialCoordinate given{name,
                             makeCoordinate(m_mechanism.getMarker(i), m_mechanism.getMarker(j), coordinate),
-                            !isLength(coordinate),
+                            getDimension(coordinate),
                             {},
                             {}};
     if (value) given.value = *value * unit;

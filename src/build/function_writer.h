@@ -23,6 +23,9 @@ public:
     FunctionWriter(const MarkerFrames::FindMarker& find, const FunctionContext& context, FunctionUse use)
         : m_frames(m_builder, find, {context.units.length, context.units.time}),
           m_vocabulary(m_frames, find, context, use) {}
+    /// Its parts refer to each other.
+    FunctionWriter(const FunctionWriter&) = delete;
+    FunctionWriter& operator=(const FunctionWriter&) = delete;
 
     ProgramBuilder& updBuilder() { return m_builder; }
     MarkerFrames& updFrames() { return m_frames; }

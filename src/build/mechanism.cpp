@@ -132,7 +132,7 @@ ElementNames Mechanism::getElementNames() const {
     ElementNames names = nameElements(joints);
     for (const Equation& equation : m_equations)
         names[equation.constraint.getConstraintIndex()] = {
-            equation.name, {"its equation"}, equation.isLength};
+            equation.name, {"its equation"}, equation.dimension};
     return names;
 }
 

@@ -118,7 +118,7 @@ Operand MechanismVocabulary::makeElementLoad(const Call& call, const std::string
     if (call.arguments.size() > 3) checkMarker(call, 3, ids[3]);
     const Real unit = getUnit(m_context.units, component);
     return updFrames().addScalar(
-        InputLevel::Acceleration,
+        KinematicLevel::Acceleration,
         [load = jflag == 0 ? element->onI : element->onJ, axes = getMarker(ids[3]), component,
          unit](const State& s) { return getLoadComponent(resolve(s, load(s), axes), component) / unit; });
 }
@@ -133,7 +133,7 @@ Operand MechanismVocabulary::makeNetLoad(const Call& call, int component) {
         if (element.j == ids[0] && element.i == ids[1] && element.onJ) loads.push_back(element.onJ);
     }
     const Real unit = getUnit(m_context.units, component);
-    return updFrames().addScalar(InputLevel::Acceleration,
+    return updFrames().addScalar(KinematicLevel::Acceleration,
                                  [loads, axes = getMarker(ids[2]), component, unit](const State& s) {
                                      SpatialVec sum(Vec3(0), Vec3(0));
                                      for (const LoadFunction& load : loads) sum += load(s);
@@ -149,8 +149,8 @@ Operand MechanismVocabulary::makeEulerParameter(const Call& call) {
         throw ExpressionError(call.offset,
                               "only ORIENT(27,k,i,j) is supported, the Euler parameters k = 1 … 4");
     for (size_t k = 2; k < call.arguments.size(); ++k) checkMarker(call, k, ids[k]);
-    return updFrames().addScalar(InputLevel::Acceleration, [k = ids[1] - 1, I = getMarker(ids[2]),
-                                                            J = getMarker(ids[3])](const State& s) {
+    return updFrames().addScalar(KinematicLevel::Acceleration, [k = ids[1] - 1, I = getMarker(ids[2]),
+                                                                J = getMarker(ids[3])](const State& s) {
         const SimTK::Rotation R_GI = I.isOnBody() ? I.findPoseInGround(s).R() : SimTK::Rotation();
         const SimTK::Rotation R_GJ = J.isOnBody() ? J.findPoseInGround(s).R() : SimTK::Rotation();
         return (~R_GJ * R_GI).convertRotationToQuaternion()[k];

@@ -34,7 +34,7 @@ enum class FunctionUse { Output, Force, Equation, OfTime };
 ///   elements, which are known only once accelerations are
 /// - FX FY FZ FM TX TY TZ TM(i, j, k): the sum of the loads on i from elements between i and j
 /// - ORIENT(27, k, i, j): the k-th Euler parameter of i in j
-class MechanismVocabulary : public MarkerVocabulary {
+class MechanismVocabulary final : public MarkerVocabulary {
 public:
     MechanismVocabulary(MarkerFrames& frames, const MarkerFrames::FindMarker& find,
                         const FunctionContext& context, FunctionUse use)

@@ -3,6 +3,8 @@
 
 #include <type_traits>
 
+#include "jprim/marker/marker_pair.h"
+
 namespace jprim {
 
 using SimTK::Body;
@@ -78,15 +80,14 @@ MobilizedBody addMobilizer(const PlannedMobilizer& planned, MobilizedBody& paren
 
 SpatialVec TreeJoint::calcLoadOnI(const State& state, LoadShare share) const {
     SpatialVec load = m_body.findMobilizerReactionOnBodyAtMInGround(state);
-    if (m_reversed) load = {calcLever(state) % load[1] - load[0], -load[1]};
+    if (m_reversed) load = calcOppositeLoad(load, -calcLever(state));
     if (share == LoadShare::Force) load[0] = Vec3(0);
     if (share == LoadShare::Moment) load[1] = Vec3(0);
     return load;
 }
 
 SpatialVec TreeJoint::calcLoadOnJ(const State& state, LoadShare share) const {
-    const SpatialVec onI = calcLoadOnI(state, share);
-    return {-onI[0] - calcLever(state) % onI[1], -onI[1]};
+    return calcOppositeLoad(calcLoadOnI(state, share), calcLever(state));
 }
 
 }  // namespace jprim

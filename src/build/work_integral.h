@@ -11,7 +11,7 @@ namespace jprim {
 /// Integrates a power along with the motion: a force element that puts no load on anything, with one state variable.
 /// That is so small that it changes no integrator's estimate of errors; CPodes alone has one variable more to average
 /// errors over.
-class WorkIntegral : public SimTK::Force::Custom::Implementation {
+class WorkIntegral final : public SimTK::Force::Custom::Implementation {
 public:
     using Power = std::function<SimTK::Real(const SimTK::State&)>;
 

@@ -23,7 +23,7 @@ public:
 };
 
 /// The derivative of an order of a spline's y(x, z) with respect to x.
-class SplineCurve : public Curve {
+class SplineCurve final : public Curve {
 public:
     SplineCurve(const InterpolatingSpline& spline, InterpolatingSpline::Method method, int order)
         : m_spline(spline), m_method(method), m_order(order) {}
@@ -39,7 +39,7 @@ private:
 };
 
 /// A function of one or two arguments in Simbody's form. One of one argument has no z.
-class FunctionCurve : public Curve {
+class FunctionCurve final : public Curve {
 public:
     explicit FunctionCurve(std::shared_ptr<const SimTK::Function> function)
         : m_function(std::move(function)) {}

@@ -78,9 +78,9 @@ void Evaluation::calcGradient() {
     m_isGradientChosen = false;
     for (auto it = code.instructions.rbegin(); it != code.instructions.rend(); ++it) {
         if (hasVectorResult(it->operation))
-            goBack(*it, m_vectorGradients[it->result]);
+            accumulateAdjoints(*it, m_vectorGradients[it->result]);
         else
-            goBack(*it, m_scalarGradients[it->result]);
+            accumulateAdjoints(*it, m_scalarGradients[it->result]);
     }
 }
 
@@ -91,7 +91,7 @@ const Vec3 ChosenDirection(0.36, 0.48, 0.8);
 
 }  // namespace
 
-void Evaluation::goBack(const Instruction& instruction, Real g) {
+void Evaluation::accumulateAdjoints(const Instruction& instruction, Real g) {
     if (g == 0) return;
     const std::array<int, 4>& arguments = instruction.arguments;
     const int detail = instruction.detail;
@@ -124,7 +124,7 @@ void Evaluation::goBack(const Instruction& instruction, Real g) {
     }
 }
 
-void Evaluation::goBack(const Instruction& instruction, const Vec3& g) {
+void Evaluation::accumulateAdjoints(const Instruction& instruction, const Vec3& g) {
     if (g == Vec3(0)) return;
     const std::array<int, 4>& arguments = instruction.arguments;
     const auto vectorValue = [&](int i) -> const Vec3& { return m_registers.vectors[arguments[i]].value; };

@@ -60,9 +60,9 @@ public:
 private:
     template <class Access>
     void run();
-    // Passes the gradient of what the instruction wrote on to its arguments.
-    void goBack(const Instruction& instruction, SimTK::Real gradient);
-    void goBack(const Instruction& instruction, const SimTK::Vec3& gradient);
+    // A step of the reverse sweep: adds what the gradient of what the instruction wrote means for its arguments.
+    void accumulateAdjoints(const Instruction& instruction, SimTK::Real gradient);
+    void accumulateAdjoints(const Instruction& instruction, const SimTK::Vec3& gradient);
 
     Program m_program;
     Registers m_registers;

@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "expression/instruction.h"
+#include "jprim/base/kinematic_level.h"
 
 namespace jprim {
-
-/// The highest derivative of the mechanism's coordinates that a value depends on. Reactions count as
-/// accelerations.
-enum class InputLevel { Position, Velocity, Acceleration };
 
 /// A value within a ProgramBuilder: a scalar or a vector of three.
 struct Operand {
@@ -38,8 +35,9 @@ public:
     /// The scalar input that is simulation time; -1 if the result does not depend on it.
     int getTimeInput() const { return m_code->timeInput; }
 
-    /// The highest level of the inputs that the result depends on; Position if on none.
-    InputLevel getLevel() const { return m_code->level; }
+    /// The highest level of the inputs that the result depends on; Position if on none. Reactions count as
+    /// accelerations.
+    KinematicLevel getLevel() const { return m_code->level; }
 
     /// True if the result is a polynomial of at most first degree in the Velocity inputs, with coefficients
     /// that may depend on Position inputs and time, and has no Acceleration input. Decided from the operations
@@ -62,7 +60,7 @@ public:
     /// What decides between branches: the values whose signs do, of IF, MAX, STEP, IMPACT, ABS and the like.
     int getNumSwitches() const { return static_cast<int>(m_code->switches.size()); }
     /// The highest level of the inputs that switch k depends on.
-    InputLevel getSwitchLevel(int k) const { return m_code->switches.at(k).level; }
+    KinematicLevel getSwitchLevel(int k) const { return m_code->switches.at(k).level; }
 
     /// What whole turns of the angles add to the result are the multiples of this. Zero if there is no angle, if
     /// the result depends on one in another way than by a constant factor, or if the factors of several are not
@@ -82,7 +80,7 @@ private:
     };
     struct Switch {
         int value;  // its register
-        InputLevel level;
+        KinematicLevel level;
     };
     struct Code {
         std::vector<Instruction> instructions;
@@ -90,7 +88,7 @@ private:
         Registers initial;                            // constants in their places, zero elsewhere
         std::vector<int> scalarInputs, vectorInputs;  // their registers; -1 for unused ones
         Operand result;
-        InputLevel level = InputLevel::Position;
+        KinematicLevel level = KinematicLevel::Position;
         int velocityDegree = 0;
         int timeInput = -1;
         std::vector<Angle> angles;
@@ -108,8 +106,8 @@ class ProgramBuilder {
 public:
     /// Inputs: what the evaluator supplies. Numbered from 0, scalars and vectors apart; that is not the index of
     /// the operand.
-    Operand addScalarInput(InputLevel level);
-    Operand addVectorInput(InputLevel level);
+    Operand addScalarInput(KinematicLevel level);
+    Operand addVectorInput(KinematicLevel level);
     /// Simulation time [s]; the same scalar input whenever asked for.
     Operand time();
     /// How many there are by now, time included: the number that the next input gets.
@@ -154,7 +152,7 @@ public:
     bool isConstant(Operand a) const { return getTraits(a).isConstant; }
     SimTK::Real getConstant(Operand scalar) const;
     /// What Program::getLevel() and Program::isLinearInVelocity() would say of it as a result.
-    InputLevel getLevel(Operand a) const { return getTraits(a).level; }
+    KinematicLevel getLevel(Operand a) const { return getTraits(a).level; }
     bool isLinearInVelocity(Operand a) const { return getTraits(a).velocityDegree <= 1; }
     /// False for a constant that is infinite or no number, such as 1/0.
     bool isFinite(Operand a) const;
@@ -168,12 +166,12 @@ private:
     // that is not of degree 0 or 1.
     struct Traits {
         bool isConstant = false;
-        InputLevel level = InputLevel::Position;
+        KinematicLevel level = KinematicLevel::Position;
         int velocityDegree = 0;
     };
 
     Operand makeOperand(bool isVector, const Traits& traits);
-    Operand addInput(bool isVector, InputLevel level);
+    Operand addInput(bool isVector, KinematicLevel level);
     Operand emit(Operation operation, std::initializer_list<Operand> arguments, int detail = 0);
     Operand callTwo(Function function, Operand x, Operand y);
     const Traits& getTraits(Operand a) const;

@@ -84,25 +84,25 @@ Operand ProgramBuilder::emit(Operation operation, std::initializer_list<Operand>
     return result;
 }
 
-Operand ProgramBuilder::addInput(bool isVector, InputLevel level) {
+Operand ProgramBuilder::addInput(bool isVector, KinematicLevel level) {
     constexpr std::array<int, 3> degrees{0, 1, Nonlinear};
     const Operand input = makeOperand(isVector, {false, level, degrees[static_cast<int>(level)]});
     (isVector ? m_vectorInputs : m_scalarInputs).push_back(input.index);
     return input;
 }
 
-Operand ProgramBuilder::addScalarInput(InputLevel level) {
+Operand ProgramBuilder::addScalarInput(KinematicLevel level) {
     return addInput(false, level);
 }
 
-Operand ProgramBuilder::addVectorInput(InputLevel level) {
+Operand ProgramBuilder::addVectorInput(KinematicLevel level) {
     return addInput(true, level);
 }
 
 Operand ProgramBuilder::time() {
     if (m_timeInput < 0) {
         m_timeInput = static_cast<int>(m_scalarInputs.size());
-        addScalarInput(InputLevel::Position);
+        addScalarInput(KinematicLevel::Position);
     }
     return {m_scalarInputs[m_timeInput], false};
 }

@@ -27,7 +27,7 @@ public:
 
     Real get(int scalar) const { return m_ofScalars[size_t(scalar)]; }
 
-    void goBack(const Instruction& instruction) {
+    void accumulateAdjoints(const Instruction& instruction) {
         const bool isVector = hasVectorResult(instruction.operation);
         const Real slope = (isVector ? m_ofVectors : m_ofScalars)[size_t(instruction.result)];
         if (slope == 0) return;
@@ -68,7 +68,7 @@ void Program::findAngleSlopes(Code& code) {
         if (!hasVectorResult(instruction.operation)) isConstant[size_t(instruction.result)] = false;
     ConstantSlopes slopes(code.initial, isConstant, code.result);
     std::for_each(code.instructions.rbegin(), code.instructions.rend(),
-                  [&slopes](const Instruction& instruction) { slopes.goBack(instruction); });
+                  [&slopes](const Instruction& instruction) { slopes.accumulateAdjoints(instruction); });
     for (Angle& angle : code.angles) angle.slope = slopes.get(angle.result);
 }
 

@@ -111,7 +111,7 @@ public:
 
 //------------------------------------------------------------------------------------------- forces
 /// Stiffness and damping of the modes, and the inertia forces that couple them with the body's rotation.
-class FlexibleBody::Forces : public SimTK::Force::Custom::Implementation {
+class FlexibleBody::Forces final : public SimTK::Force::Custom::Implementation {
 public:
     Forces(const MobilizedBody& body, std::shared_ptr<const Data> data)
         : m_body(body), m_data(std::move(data)) {}

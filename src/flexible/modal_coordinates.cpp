@@ -20,7 +20,7 @@ constexpr int MostModesOfACarrier = 3;
 constexpr Real Spin = 1099511627776;                        // 2^40
 constexpr Real MassOfACarrier = 1. / (Spin * Spin * Spin);  // 2^-120, of a unit of mass
 
-class Carrier : public MobilizedBody::Custom::Implementation {
+class Carrier final : public MobilizedBody::Custom::Implementation {
 public:
     Carrier(SimTK::SimbodyMatterSubsystem& matter, int numModes)
         : Implementation(matter, numModes, numModes) {}

@@ -9,7 +9,7 @@
 
 namespace jprim {
 
-class ExpressionMeasureImpl : public SimTK::Force::Custom::Implementation {
+class ExpressionMeasureImpl final : public SimTK::Force::Custom::Implementation {
 public:
     ExpressionMeasureImpl(SimTK::GeneralForceSubsystem& forces, const Expression& expression)
         : m_forces(checkSystem(forces, expression).getSubsystemGuts()), m_expression(expression) {}

@@ -3,6 +3,7 @@
 
 #include "base/format.h"
 #include "jprim/base/error.h"
+#include "jprim/marker/marker_pair.h"
 #include "marker/require_on_body.h"
 
 namespace jprim {
@@ -13,8 +14,8 @@ using SimTK::State;
 using SimTK::Vec3;
 using SimTK::Vector;
 
-std::string findForceProblem(InputLevel level) {
-    return level < InputLevel::Acceleration
+std::string findForceProblem(KinematicLevel level) {
+    return level < KinematicLevel::Acceleration
                ? ""
                : "a force cannot depend on accelerations or reactions, which are known only when all forces are";
 }
@@ -33,7 +34,7 @@ std::optional<TrackedExpression> take(const std::optional<Expression>& expressio
          {findForceProblem(program.getLevel()),
           expression->getImplementation().findDerivativeProblem(neededDerivatives)})
         if (!problem.empty()) throw Error(element, problem);
-    if (!isVector && program.getLevel() != InputLevel::Position)
+    if (!isVector && program.getLevel() != KinematicLevel::Position)
         throw Error(element, fmt::format("its {} depends on velocities; an energy that is stored depends on "
                                          "positions and TIME only",
                                          what));
@@ -113,7 +114,7 @@ namespace {
 
 SpatialVec calcOpposite(const State& state, const SpatialVec& onI, const Marker& I, const Marker& J) {
     const Vec3 r = I.findPoseInGround(state).p() - J.findPoseInGround(state).p();
-    return -SimTK::shiftForceBy(onI, -r);
+    return calcOppositeLoad(onI, r);
 }
 
 }  // namespace

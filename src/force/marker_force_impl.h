@@ -10,9 +10,9 @@
 namespace jprim {
 
 /// What is wrong with a value in the expression of a force, or empty.
-std::string findForceProblem(InputLevel level);
+std::string findForceProblem(KinematicLevel level);
 
-class MarkerForceImpl : public SimTK::Force::Custom::Implementation {
+class MarkerForceImpl final : public SimTK::Force::Custom::Implementation {
 public:
     MarkerForceImpl(SimTK::GeneralForceSubsystem& forces, const Marker& I, const std::optional<Marker>& J,
                     const ForceLaw& law, const std::string& name);

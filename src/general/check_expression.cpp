@@ -11,8 +11,8 @@ namespace jprim {
 
 using SimTK::SimbodyMatterSubsystem;
 
-std::string findValueProblem(InputLevel level, bool isLinearInVelocity) {
-    if (level == InputLevel::Acceleration)
+std::string findValueProblem(KinematicLevel level, bool isLinearInVelocity) {
+    if (level == KinematicLevel::Acceleration)
         return "a constraint cannot depend on accelerations or reactions; only on positions, velocities and TIME";
     if (!isLinearInVelocity)
         return "the expression is not linear in velocities; a constraint of velocities must be";
@@ -25,12 +25,13 @@ std::string findEquationProblem(const MarkerExpression& expression) {
     const std::string problem = findValueProblem(program.getLevel(), program.isLinearInVelocity());
     if (!problem.empty()) return problem;
     if (expression.markers.empty()) return "the expression depends on no marker, so it constrains nothing";
-    return expression.findDerivativeProblem(program.getLevel() == InputLevel::Position ? 2 : 1);
+    return expression.findDerivativeProblem(program.getLevel() == KinematicLevel::Position ? 2 : 1);
 }
 
 std::string findFunctionProblem(const MarkerExpression& expression) {
     if (expression.program.isVector()) return "the function is a vector; it must be a number";
-    const bool onlyTime = expression.markers.empty() && expression.program.getLevel() == InputLevel::Position;
+    const bool onlyTime =
+        expression.markers.empty() && expression.program.getLevel() == KinematicLevel::Position;
     return onlyTime ? "" : NotOnlyTime;
 }
 

@@ -9,7 +9,7 @@
 namespace jprim {
 
 /// What is wrong with a value in the expression of an equation, or empty.
-std::string findValueProblem(InputLevel level, bool isLinearInVelocity);
+std::string findValueProblem(KinematicLevel level, bool isLinearInVelocity);
 
 /// What is wrong with an expression as an equation, or empty.
 std::string findEquationProblem(const MarkerExpression& expression);

@@ -22,26 +22,26 @@ using SimTK::Vector;
 namespace {
 
 GeneralConstraintImpl* makeEquation(const char* adamsType, const Expression& f, const std::string& name) {
-    return new GeneralConstraintImpl(adamsType, f, nullptr, 0, 0, name);
+    return new GeneralConstraintImpl(adamsType, f, nullptr, KinematicLevel::Position, 0, name);
 }
 
 GeneralConstraintImpl* makeDriven(const char* adamsType, const Expression& coordinate,
-                                  const Expression& function, int derivative, Real period,
+                                  const Expression& function, KinematicLevel level, Real period,
                                   const std::string& name) {
     const std::string element = describeGeneral(adamsType, name);
     const std::string problem = findFunctionProblem(function.getImplementation());
     if (!problem.empty()) throw Error(element, problem);
-    if (coordinate.getImplementation().program.getLevel() != InputLevel::Position)
+    if (coordinate.getImplementation().program.getLevel() != KinematicLevel::Position)
         throw Error(element, "a coordinate that follows a function must depend on positions only");
-    if (derivative < 0 || derivative > 2)
+    if (level < KinematicLevel::Position || level > KinematicLevel::Acceleration)
         throw Error(element, fmt::format("derivative {} of a coordinate cannot be prescribed; use 0 for the "
                                          "coordinate itself, 1 for its rate or 2 for its acceleration",
-                                         derivative));
-    const std::string lacking = function.getImplementation().findDerivativeProblem(2 - derivative);
+                                         int(level)));
+    const std::string lacking = function.getImplementation().findDerivativeProblem(2 - int(level));
     if (!lacking.empty()) throw Error(element, lacking);
     if (!(period >= 0) || !std::isfinite(period))
         throw Error(element, fmt::format("its period is {}; it must be positive, or 0 for none", period));
-    return new GeneralConstraintImpl(adamsType, coordinate, &function, derivative, period, name);
+    return new GeneralConstraintImpl(adamsType, coordinate, &function, level, period, name);
 }
 
 }  // namespace
@@ -52,16 +52,16 @@ GeneralConstraint::GeneralConstraint(const char* adamsType, const Expression& f,
     : GeneralConstraint(makeEquation(adamsType, f, name)) {}
 
 GeneralConstraint::GeneralConstraint(const char* adamsType, const Expression& coordinate,
-                                     const Expression& function, int derivative, Real period,
+                                     const Expression& function, KinematicLevel level, Real period,
                                      const std::string& name)
-    : GeneralConstraint(makeDriven(adamsType, coordinate, function, derivative, period, name)) {}
+    : GeneralConstraint(makeDriven(adamsType, coordinate, function, level, period, name)) {}
 
 GeneralConstraint::GeneralConstraint(const Expression& f, const std::string& name)
     : GeneralConstraint(Gcon, f, name) {}
 
-GeneralConstraint::GeneralConstraint(const Expression& coordinate, const Expression& function, int derivative,
-                                     Real period, const std::string& name)
-    : GeneralConstraint(Gcon, coordinate, function, derivative, period, name) {}
+GeneralConstraint::GeneralConstraint(const Expression& coordinate, const Expression& function,
+                                     KinematicLevel level, Real period, const std::string& name)
+    : GeneralConstraint(Gcon, coordinate, function, level, period, name) {}
 
 bool GeneralConstraint::isInstanceOf(const SimTK::Constraint& constraint) {
     return findImplementation<GeneralConstraintImpl>(constraint) != nullptr;

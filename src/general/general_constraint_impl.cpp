@@ -27,23 +27,25 @@ namespace {
 
 const SpatialVec Nothing(Vec3(0), Vec3(0));
 
-int findEquationLevel(const MarkerExpression& coordinate, int derivative) {
-    return (coordinate.program.getLevel() == InputLevel::Velocity ? 1 : 0) + derivative;
+// Only coordinates of positions follow a function at another level than their own.
+KinematicLevel findEquationLevel(const MarkerExpression& coordinate, KinematicLevel level) {
+    return std::max(coordinate.program.getLevel(), level);
 }
 
 }  // namespace
 
 GeneralConstraintImpl::GeneralConstraintImpl(const char* adamsType, const Expression& coordinate,
-                                             const Expression* function, int derivative, Real period,
+                                             const Expression* function, KinematicLevel level, Real period,
                                              const std::string& name)
-    : Implementation(findMatter(coordinate.getImplementation(), describeGeneral(adamsType, name)),
-                     findEquationLevel(coordinate.getImplementation(), derivative) == 0,
-                     findEquationLevel(coordinate.getImplementation(), derivative) == 1,
-                     findEquationLevel(coordinate.getImplementation(), derivative) == 2),
+    : Implementation(
+          findMatter(coordinate.getImplementation(), describeGeneral(adamsType, name)),
+          findEquationLevel(coordinate.getImplementation(), level) == KinematicLevel::Position,
+          findEquationLevel(coordinate.getImplementation(), level) == KinematicLevel::Velocity,
+          findEquationLevel(coordinate.getImplementation(), level) == KinematicLevel::Acceleration),
       m_adamsType(adamsType),
       m_name(name),
       m_coordinate(std::make_shared<MarkerExpression>(coordinate.getImplementation())),
-      m_equationLevel(findEquationLevel(*m_coordinate, derivative)),
+      m_equationLevel(findEquationLevel(*m_coordinate, level)),
       m_period(period) {
     if (function) m_function = std::make_shared<MarkerExpression>(function->getImplementation());
     if (m_period == 0 && isHolonomic()) m_period = m_coordinate->program.findTurnPeriod();
@@ -142,7 +144,7 @@ void GeneralConstraintImpl::calcPositionCache(const State& state, PositionCache&
     m_angles.recall(state, q);
     cache.value = q.calcValue();
     q.calcGradient();
-    const bool ofVelocity = m_coordinate->program.getLevel() == InputLevel::Velocity;
+    const bool ofVelocity = m_coordinate->program.getLevel() == KinematicLevel::Velocity;
     cache.rateAtRest = ofVelocity ? cache.value : m_coordinate->getTimeDerivative(q);
 
     for (size_t k = 0; k < m_markers.size(); ++k) {
@@ -170,7 +172,7 @@ Real GeneralConstraintImpl::calcBias(const State& state) const {
     m_coordinate->setInputs(state.getTime(), cache.motions.data(), *cache.coordinate);
     m_angles.recall(state, *cache.coordinate);
     const Taylor<Real> q = cache.coordinate->calcTaylor();
-    return m_coordinate->program.getLevel() == InputLevel::Velocity ? q.first : q.second;
+    return m_coordinate->program.getLevel() == KinematicLevel::Velocity ? q.first : q.second;
 }
 
 Real GeneralConstraintImpl::reduce(Real error) const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "jprim/base/units.h"
 #include "jprim/marker/expression.h"
 #include "marker/angle_memory.h"
 #include "marker/constrained_marker.h"
@@ -31,21 +32,21 @@ std::string describeGeneral(const char* adamsType, const std::string& name);
 ///
 /// What whole turns of an angle in q change may be known to be whole periods of the error. Such turns need no
 /// memory: the error is what is left of its periods.
-class GeneralConstraintImpl : public SimTK::Constraint::Custom::Implementation {
+class GeneralConstraintImpl final : public SimTK::Constraint::Custom::Implementation {
 public:
     /// @param adamsType  a literal: Gcon, DrivenCoordinate or that of a joint
     /// @param function   null if the equation is q = 0
     GeneralConstraintImpl(const char* adamsType, const Expression& coordinate, const Expression* function,
-                          int derivative, SimTK::Real period, const std::string& name);
+                          KinematicLevel level, SimTK::Real period, const std::string& name);
     Implementation* clone() const override { return new GeneralConstraintImpl(*this); }
 
     const std::string& getName() const { return m_name; }
     const char* getAdamsType() const { return m_adamsType; }
     std::string getDescription() const { return describeGeneral(m_adamsType, m_name); }
     const Marker& getMarker(int key) const;
-    bool isHolonomic() const { return m_equationLevel == 0; }
-    /// True if the expression depends on where markers are, and not only on how they are turned.
-    bool isLength() const;
+    bool isHolonomic() const { return m_equationLevel == KinematicLevel::Position; }
+    /// A length if the expression depends on where markers are, and not only on how they are turned.
+    Dimension getDimension() const;
     void setScale(SimTK::Real scale) {
         invalidateTopologyCache();
         m_scale = scale;
@@ -127,7 +128,7 @@ private:
     std::string m_name;
     std::shared_ptr<const MarkerExpression> m_coordinate;
     std::shared_ptr<const MarkerExpression> m_function;  // may be null
-    int m_equationLevel;  // 0, 1, 2: an equation of positions, velocities, accelerations
+    KinematicLevel m_equationLevel;
     SimTK::Real m_period;
     AngleMemory m_angles;  // empty if the equation itself says in which turn its angle is
     SimTK::Real m_scale = 1;

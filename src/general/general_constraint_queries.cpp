@@ -30,14 +30,14 @@ void GeneralConstraintImpl::setStateScale(State& state, Real scale) const {
 
 // Simbody knows errors only of equations in use.
 Real GeneralConstraintImpl::calcEquationError(const State& state) const {
-    const std::vector<MarkerMotion> motions = m_coordinate->findMotions(state, InputLevel(m_equationLevel));
+    const std::vector<MarkerMotion> motions = m_coordinate->findMotions(state, m_equationLevel);
     Evaluation evaluation(m_coordinate->program);
     m_coordinate->setInputs(state.getTime(), motions.data(), evaluation);
     m_angles.recall(state, evaluation);
     const Taylor<Real> q = evaluation.calcTaylor();
-    const int ofVelocity = m_coordinate->program.getLevel() == InputLevel::Velocity ? 1 : 0;
+    const int ofVelocity = m_coordinate->program.getLevel() == KinematicLevel::Velocity ? 1 : 0;
     const Real derivatives[] = {q.value, q.first, q.second};
-    return m_scale * reduce(derivatives[m_equationLevel - ofVelocity] - calcFunction(state).value);
+    return m_scale * reduce(derivatives[int(m_equationLevel) - ofVelocity] - calcFunction(state).value);
 }
 
 //------------------------------------------------------------------------------------------ turns
@@ -45,7 +45,7 @@ Real GeneralConstraintImpl::calcEquationError(const State& state) const {
 Vector GeneralConstraintImpl::getTurns(const State& state) const {
     if (!impliesTurns()) return m_angles.getTurns(state);
     Evaluation evaluation(m_coordinate->program);
-    m_coordinate->setInputs(state, evaluation, InputLevel::Position);
+    m_coordinate->setInputs(state, evaluation, KinematicLevel::Position);
     const Real error = evaluation.calcValue() - calcFunction(state).value;
     const Real perTurn = 2 * SimTK::Pi * m_coordinate->program.getAngleSlope(0);
     return Vector(1,
@@ -83,8 +83,8 @@ std::string GeneralConstraintImpl::findImpossible(const State& state, const Posi
 
     // The part of the error that does not come from velocities; of an equation of accelerations it is not known.
     const Real atRest =
-        m_equationLevel == 0 ? reduce(cache.value - function.value) : cache.rateAtRest - function.value;
-    const bool isMet = m_equationLevel > 0 || std::abs(atRest) <= Met;
+        isHolonomic() ? reduce(cache.value - function.value) : cache.rateAtRest - function.value;
+    const bool isMet = !isHolonomic() || std::abs(atRest) <= Met;
     const std::string vanished = isMet ? findVanished(cache, Vanished) : "";
     if (!vanished.empty()) return vanished;
     if (isMet && cache.coordinate->isGradientChosen())
@@ -95,7 +95,7 @@ std::string GeneralConstraintImpl::findImpossible(const State& state, const Posi
     const bool isFixed = std::all_of(cache.directions.begin(), cache.directions.end(), isZero) &&
                          std::all_of(cache.modalDirections.begin(), cache.modalDirections.end(),
                                      [](Real d) { return d == 0; });
-    if (isFixed && m_equationLevel < 2 && std::abs(atRest) > Met)
+    if (isFixed && m_equationLevel < KinematicLevel::Acceleration && std::abs(atRest) > Met)
         return fmt::format(
             "it is not met, its error is {:.3g}, and no motion from here changes it (its derivatives "
             "are zero or do not exist); start from another position",
@@ -114,14 +114,14 @@ std::string describeGeneral(const char* adamsType, const std::string& name) {
     return isJoint ? name + " " + adamsType : name;
 }
 
-bool GeneralConstraintImpl::isLength() const {
+Dimension GeneralConstraintImpl::getDimension() const {
     for (size_t k = 0; k < m_coordinate->vectorInputs.size(); ++k) {
         const MarkerQuantity quantity = m_coordinate->vectorInputs[k].quantity;
         if (m_coordinate->program.usesVectorInput(int(k)) &&
             (quantity == MarkerQuantity::Origin || quantity == MarkerQuantity::Velocity))
-            return true;
+            return Dimension::Length;
     }
-    return false;
+    return Dimension::Angle;
 }
 
 const Marker& GeneralConstraintImpl::getMarker(int key) const {

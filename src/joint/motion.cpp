@@ -25,13 +25,14 @@ Operand composeAngle(MarkerFrames& f, Coordinate coordinate) {
 
 }  // namespace
 
-bool isLength(Coordinate coordinate) {
-    return coordinate == Coordinate::X || coordinate == Coordinate::Y || coordinate == Coordinate::Z;
+Dimension getDimension(Coordinate coordinate) {
+    return coordinate <= Coordinate::Z ? Dimension::Length : Dimension::Angle;
 }
 
 Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinate, bool countTurns) {
     return composeExpression(I, J, [&](MarkerFrames& f) {
-        if (isLength(coordinate)) return f.along(f.position(PairI, PairJ), PairJ, int(coordinate));
+        if (getDimension(coordinate) == Dimension::Length)
+            return f.along(f.position(PairI, PairJ), PairJ, int(coordinate));
         const bool counted = countTurns && coordinate == Coordinate::Rotation;
         return counted ? f.angleAboutZ(PairI, PairJ) : composeAngle(f, coordinate);
     });
@@ -48,9 +49,9 @@ Expression makeMotionCoordinate(const Marker& I, const Marker& J, Coordinate coo
 }  // namespace
 
 PrescribedMotion::PrescribedMotion(const Marker& I, const Marker& J, Coordinate coordinate,
-                                   const Expression& function, int derivative, const std::string& name)
-    : TypedHandle(DrivenCoordinate, makeMotionCoordinate(I, J, coordinate, name), function, derivative,
-                  isLength(coordinate) ? Real(0) : 2 * SimTK::Pi, name) {}
+                                   const Expression& function, KinematicLevel level, const std::string& name)
+    : TypedHandle(DrivenCoordinate, makeMotionCoordinate(I, J, coordinate, name), function, level,
+                  getDimension(coordinate) == Dimension::Length ? Real(0) : 2 * SimTK::Pi, name) {}
 
 bool PrescribedMotion::isInstanceOf(const SimTK::Constraint& constraint) {
     return isOfType(constraint, DrivenCoordinate);

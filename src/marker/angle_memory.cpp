@@ -25,7 +25,7 @@ void checkTurns(const Vector& turns, int numAngles, const std::string& element) 
 
 // The angles differ from those remembered by the motion of one step. Which turn an angle is in does not depend on
 // when it was last remembered, so nothing is invalid after an update.
-class AngleMemory::Follower : public SimTK::AbstractMeasure::Implementation {
+class AngleMemory::Follower final : public SimTK::AbstractMeasure::Implementation {
 public:
     explicit Follower(const MarkerExpression& expression) : m_expression(expression) {}
 
@@ -49,7 +49,7 @@ public:
     void calcAngles(const State& state, Vector& angles) const {
         Evaluation& evaluation =
             Value<Evaluation>::updDowncast(state.updCacheEntry(m_subsystem, m_evaluation)).upd();
-        m_expression.setInputs(state, evaluation, InputLevel::Position);
+        m_expression.setInputs(state, evaluation, KinematicLevel::Position);
         recall(state, evaluation);
         if (m_expression.program.isVector())
             evaluation.calcVectorValue();

@@ -30,7 +30,7 @@ bool isOfDatasets(const std::string& name) {
 }
 
 /// The measures of markers and what a program defines.
-class DefinedVocabulary : public MarkerVocabulary {
+class DefinedVocabulary final : public MarkerVocabulary {
 public:
     DefinedVocabulary(MarkerFrames& frames, const ExpressionDefinitions& definitions)
         : MarkerVocabulary(frames), m_definitions(definitions) {
@@ -127,8 +127,8 @@ bool Expression::isVector() const {
 Stage Expression::getDependsOnStage() const {
     const Program& program = m_expression->program;
     switch (program.getLevel()) {
-        case InputLevel::Acceleration: return Stage::Acceleration;
-        case InputLevel::Velocity: return Stage::Velocity;
+        case KinematicLevel::Acceleration: return Stage::Acceleration;
+        case KinematicLevel::Velocity: return Stage::Velocity;
         default: break;
     }
     return getMarkers().empty() ? Stage::Time : Stage::Position;

@@ -36,11 +36,11 @@ Taylor<Vec3> calcInput(MarkerQuantity quantity, const MarkerMotion& m, const Exp
     }
 }
 
-MarkerMotion findMotion(const Marker& marker, const State& state, InputLevel level) {
+MarkerMotion findMotion(const Marker& marker, const State& state, KinematicLevel level) {
     MarkerMotion motion;
     motion.X = marker.findPoseInGround(state);
-    if (level >= InputLevel::Velocity) motion.V = marker.findVelocityInGround(state);
-    if (level >= InputLevel::Acceleration) motion.A = marker.findAccelerationInGround(state);
+    if (level >= KinematicLevel::Velocity) motion.V = marker.findVelocityInGround(state);
+    if (level >= KinematicLevel::Acceleration) motion.A = marker.findAccelerationInGround(state);
     return motion;
 }
 
@@ -54,7 +54,7 @@ std::string MarkerExpression::findDerivativeProblem(int needed) const {
         number, needed);
 }
 
-std::vector<MarkerMotion> MarkerExpression::findMotions(const State& state, InputLevel level) const {
+std::vector<MarkerMotion> MarkerExpression::findMotions(const State& state, KinematicLevel level) const {
     std::vector<MarkerMotion> motions;
     for (const Marker& marker : markers) motions.push_back(findMotion(marker, state, level));
     return motions;
@@ -78,12 +78,12 @@ void MarkerExpression::setInputs(Real time, const MarkerMotion* motions, Evaluat
             int(k), calcInput(vectorInputs[k].quantity, motions[vectorInputs[k].marker], units));
 }
 
-void MarkerExpression::setInputs(const State& state, Evaluation& evaluation, InputLevel highest) const {
-    const InputLevel level = std::min(program.getLevel(), highest);
+void MarkerExpression::setInputs(const State& state, Evaluation& evaluation, KinematicLevel highest) const {
+    const KinematicLevel level = std::min(program.getLevel(), highest);
     setTime(state.getTime(), evaluation);
     for (size_t k = 0; k < markers.size(); ++k)
         setMotion(k, findMotion(markers[k], state, level), evaluation);
-    if (highest < InputLevel::Acceleration) return;
+    if (highest < KinematicLevel::Acceleration) return;
     for (size_t k = 0; k < scalarInputs.size(); ++k)
         if (scalarInputs[k] && program.usesScalarInput(int(k)))
             evaluation.setScalarInput(int(k), {scalarInputs[k](state), 0, 0});
@@ -94,7 +94,7 @@ void MarkerExpression::setInputs(const State& state, Evaluation& evaluation, Inp
 SpatialVec MarkerExpression::getDirection(const Evaluation& evaluation, const MarkerMotion* motions,
                                           int marker) const {
     constexpr Real Rounding = 1e-14;
-    const bool ofVelocity = program.getLevel() == InputLevel::Velocity;
+    const bool ofVelocity = program.getLevel() == KinematicLevel::Velocity;
     SpatialVec direction(Vec3(0), Vec3(0));
     for (size_t k = 0; k < vectorInputs.size(); ++k) {
         const auto [owner, quantity] = vectorInputs[k];

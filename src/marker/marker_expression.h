@@ -68,13 +68,13 @@ struct MarkerExpression : ExpressionInputs {
     std::string findDerivativeProblem(int needed) const;
 
     /// The motions of the markers in a State, as far as a level goes.
-    std::vector<MarkerMotion> findMotions(const SimTK::State& state, InputLevel level) const;
+    std::vector<MarkerMotion> findMotions(const SimTK::State& state, KinematicLevel level) const;
 
     /// Puts time and motions into the inputs of an evaluation: `motions` has one entry for each marker.
     void setInputs(SimTK::Real time, const MarkerMotion* motions, Evaluation& evaluation) const;
     /// The same from a State, scalar inputs included; only inputs up to a level. Takes no memory.
     void setInputs(const SimTK::State& state, Evaluation& evaluation,
-                   InputLevel highest = InputLevel::Acceleration) const;
+                   KinematicLevel highest = KinematicLevel::Acceleration) const;
 
     /// d(value)/d[w, v] of a marker, in Ground, after calcGradient(): of a value that depends on positions
     /// that of its rate, of one that depends on velocities that of itself. Times a multiplier it is the load

@@ -5,13 +5,13 @@ namespace jprim {
 
 namespace {
 
-InputLevel getLevel(MarkerQuantity quantity) {
+KinematicLevel getLevel(MarkerQuantity quantity) {
     switch (quantity) {
         case MarkerQuantity::Velocity:
-        case MarkerQuantity::AngularVelocity: return InputLevel::Velocity;
+        case MarkerQuantity::AngularVelocity: return KinematicLevel::Velocity;
         case MarkerQuantity::Acceleration:
-        case MarkerQuantity::AngularAcceleration: return InputLevel::Acceleration;
-        default: return InputLevel::Position;
+        case MarkerQuantity::AngularAcceleration: return KinematicLevel::Acceleration;
+        default: return KinematicLevel::Position;
     }
 }
 
@@ -103,7 +103,7 @@ Operand MarkerFrames::inAxesOf(Operand v, int k) {
     return k == 0 ? v : m_builder.vector(along(v, k, 0), along(v, k, 1), along(v, k, 2));
 }
 
-Operand MarkerFrames::addScalar(InputLevel level, ExpressionInputs::ScalarInput calc) {
+Operand MarkerFrames::addScalar(KinematicLevel level, ExpressionInputs::ScalarInput calc) {
     m_inputs.scalarInputs.push_back(std::move(calc));
     return m_builder.addScalarInput(level);
 }

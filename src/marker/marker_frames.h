@@ -59,7 +59,7 @@ public:
     Operand inAxesOf(Operand v, int k);
 
     /// A scalar that only a State can tell.
-    Operand addScalar(InputLevel level, ExpressionInputs::ScalarInput calc);
+    Operand addScalar(KinematicLevel level, ExpressionInputs::ScalarInput calc);
 
     /// The finished program with its inputs.
     MarkerExpression finish(Operand result);

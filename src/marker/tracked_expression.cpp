@@ -33,7 +33,7 @@ Vec3 TrackedExpression::calcVector(const State& state) const {
 
 Real TrackedExpression::calcRate(const State& state) const {
     Evaluation& evaluation = prepare(state);
-    const std::vector<MarkerMotion> motions = get().findMotions(state, InputLevel::Velocity);
+    const std::vector<MarkerMotion> motions = get().findMotions(state, KinematicLevel::Velocity);
     get().setInputs(state.getTime(), motions.data(), evaluation);
     return evaluation.calcTaylor().first;
 }
@@ -45,7 +45,7 @@ void TrackedExpression::addSwitches(const State& state, bool withResult,
     Evaluation& evaluation = prepare(state);
     const bool isAccelerated = state.getSystemStage() >= Stage::Acceleration;
     const std::vector<MarkerMotion> motions =
-        get().findMotions(state, isAccelerated ? InputLevel::Acceleration : InputLevel::Velocity);
+        get().findMotions(state, isAccelerated ? KinematicLevel::Acceleration : KinematicLevel::Velocity);
     get().setInputs(state.getTime(), motions.data(), evaluation);
     Taylor<Real> result;
     if (program.isVector())

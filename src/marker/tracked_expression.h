@@ -33,7 +33,7 @@ public:
     struct Switch {
         SimTK::Real value;
         SimTK::Real rate;  ///< if the State tells it
-        InputLevel level;
+        KinematicLevel level;
     };
     /// The program's switches and, if it is wanted, a scalar result. Requires the stage that calcValue() does; rates of
     /// positions are told at Stage::Velocity, those of velocities at Stage::Acceleration.

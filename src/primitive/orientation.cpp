@@ -19,7 +19,7 @@ using SimTK::Real;
 using SimTK::SpatialVec;
 using SimTK::Vec3;
 
-class OrientationEquations : public PairEquations {
+class OrientationEquations final : public PairEquations {
 public:
     OrientationEquations()
         : PairEquations(Kind::Rotational,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "jprim/base/units.h"
 #include "jprim/marker/marker.h"
 #include "jprim/marker/marker_pair.h"
 #include "marker/constrained_marker.h"
@@ -18,7 +19,7 @@ namespace jprim {
 ///
 /// The rows of the constraint Jacobian are computed once per position and their bias once per velocity:
 /// Simbody asks every constraint once for each multiplier of the whole system.
-class PairConstraintImpl : public SimTK::Constraint::Custom::Implementation {
+class PairConstraintImpl final : public SimTK::Constraint::Custom::Implementation {
 public:
     static constexpr int MaxEquations = 2 * PairEquations::MaxEquations;
     using Errors = std::array<SimTK::Real, MaxEquations>;
@@ -53,6 +54,7 @@ public:
     /// What equation k holds, in words, and whether it is a length.
     const char* describeEquation(int k) const { return m_equations.at(size_t(k)).words; }
     bool isTranslational(int k) const { return m_equations.at(size_t(k)).isTranslational; }
+    Dimension getDimension(int k) const { return isTranslational(k) ? Dimension::Length : Dimension::Angle; }
     /// The name if there is one, and the type: what messages call this element.
     std::string getDescription() const;
     Placements getDefaultPlacements() const { return {m_defaultI.getPose(), m_defaultJ.getPose()}; }

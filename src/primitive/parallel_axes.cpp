@@ -48,7 +48,7 @@ struct TiltedAxis {
     Real s;
 };
 
-class ParallelAxesEquations : public PairEquations {
+class ParallelAxesEquations final : public PairEquations {
 public:
     ParallelAxesEquations()
         : PairEquations(Kind::Rotational, {"rotation between Zi and Yj", "rotation between Zi and Xj"}) {}

@@ -25,7 +25,7 @@ struct Cosine {
     Real factor = 1;
 };
 
-class CosineEquations : public PairEquations {
+class CosineEquations final : public PairEquations {
 public:
     CosineEquations(const char* words, const std::vector<Cosine>& cosines)
         : PairEquations(Kind::Rotational, {words}), m_cosines(cosines) {}

@@ -14,7 +14,7 @@ using SimTK::Real;
 using SimTK::SpatialVec;
 using SimTK::Vec3;
 
-class TranslationalEquations : public PairEquations {
+class TranslationalEquations final : public PairEquations {
 public:
     // Holds J's axes firstAxis, firstAxis + 1 …, where x is 0; one equation for each of the words.
     TranslationalEquations(int firstAxis, const std::vector<const char*>& words)

@@ -128,8 +128,8 @@ void finish(const Mechanism& mechanism, bool hasToProject, AssembledState& resul
 }  // namespace
 
 std::string formatAmount(const MissedCoordinate& missed, const UnitSystem& units) {
-    return missed.isLength ? fmt::format("{:.3g} length units", missed.amount / units.length)
-                           : fmt::format("{:.3g} rad", missed.amount);
+    return fmt::format("{:.3g} {}", missed.amount / units.getDisplacement(missed.dimension),
+                       getUnitName(missed.dimension));
 }
 
 AssembledState assemble(const Mechanism& mechanism) {

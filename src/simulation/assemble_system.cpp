@@ -69,7 +69,7 @@ std::vector<PoseGoal> completePoses(const SimbodyMatterSubsystem& matter, const 
     throw Error(
         worst->element,
         fmt::format("the system cannot be assembled from these positions; {:.3g} {} of \"{}\" are left",
-                    calcError(*worst), worst->isLength ? "length units" : "rad", worst->words));
+                    calcError(*worst), getUnitName(worst->dimension), worst->words));
 }
 
 }  // namespace

@@ -115,7 +115,8 @@ std::vector<MissedCoordinate> findMissedExact(const Mechanism& mechanism, const 
         for (int k = 0; k < 6; ++k) {
             const Real amount = std::abs(k < 3 ? shift[k] : turn[k - 3]);
             if (part.exact[size_t(k)] && amount > tolerance * (k < 3 ? part.size : 1))
-                missed.push_back({part.name, std::string("EXACT ") + ExactNames[size_t(k)], amount, k < 3});
+                missed.push_back({part.name, std::string("EXACT ") + ExactNames[size_t(k)], amount,
+                                  k < 3 ? Dimension::Length : Dimension::Angle});
         }
     }
     sortByAmount(missed);
@@ -132,7 +133,7 @@ PositionConditions makeExactConditions(const Mechanism& mechanism) {
 //---------------------------------------------------------------------------------------- initial values
 Vector GivenCoordinate::calcErrors(const State& state) const {
     const Real error = m_given.coordinate.calcValue(state) - *m_given.value;
-    return Vector(1, m_given.isAngle ? std::remainder(error, 2 * SimTK::Pi) : error);
+    return Vector(1, m_given.dimension == Dimension::Angle ? std::remainder(error, 2 * SimTK::Pi) : error);
 }
 
 void GivenCoordinate::addDirections(const State& state, int, Directions& directions) const {
@@ -145,7 +146,7 @@ std::vector<MissedCoordinate> findMissedInitial(const Mechanism& mechanism, cons
     for (const InitialCoordinate& given : mechanism.getInitialCoordinates()) {
         if (!given.value) continue;
         const Real amount = std::abs(GivenCoordinate(given).calcErrors(state)[0]);
-        if (amount > tolerance) missed.push_back({given.name, "initial value", amount, !given.isAngle});
+        if (amount > tolerance) missed.push_back({given.name, "initial value", amount, given.dimension});
     }
     sortByAmount(missed);
     return missed;

@@ -18,7 +18,7 @@ using PositionConditions = std::vector<std::shared_ptr<const PositionCondition>>
 ///
 /// 3-1-3 angles are singular where z stands upright, as in every plane mechanism. There PSI and PHI are both
 /// the turn about z, and THETA is held by not tilting z.
-class ExactCoordinates : public PositionCondition {
+class ExactCoordinates final : public PositionCondition {
 public:
     explicit ExactCoordinates(const MechanismPart& part) : m_part(part) {}
 
@@ -32,7 +32,7 @@ private:
 };
 
 /// A coordinate with a value given for the start. Angles are met on the nearest turn.
-class GivenCoordinate : public PositionCondition {
+class GivenCoordinate final : public PositionCondition {
 public:
     explicit GivenCoordinate(const InitialCoordinate& given) : m_given(given) {}
 
@@ -44,7 +44,7 @@ private:
 };
 
 /// Keeps another condition's errors what they are in a State, or a part of that.
-class KeptCondition : public PositionCondition {
+class KeptCondition final : public PositionCondition {
 public:
     KeptCondition(std::shared_ptr<const PositionCondition> condition, const SimTK::State& state,
                   SimTK::Real part = 1)

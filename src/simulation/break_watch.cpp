@@ -84,8 +84,8 @@ void BreakWatch::requireNoJump(const Mechanism& mechanism, const State& before, 
     };
     const SimTK::Vector changes = (calcRates(2 * Later) - calcRates(Later)) / Later;
     for (const ConstraintEquation& equation : mechanism.findEquations(state)) {
-        if (equation.level == EquationLevel::Acceleration) continue;
-        const bool isOfPositions = equation.level == EquationLevel::Holonomic;
+        if (equation.level == KinematicLevel::Acceleration) continue;
+        const bool isOfPositions = equation.level == KinematicLevel::Position;
         const bool isJump = isOfPositions && std::abs(equation.getError(jumps)) > Rounding * far;
         const Real steep = Margin * std::abs(equation.getError(changes));
         if (!isJump && std::abs(equation.getError(rates)) <= Rounding * fast + steep) continue;

@@ -12,7 +12,7 @@ namespace {
 std::vector<ConstraintEquation> findSpeedEquations(const Mechanism& mechanism, const SimTK::State& state) {
     std::vector<ConstraintEquation> equations = mechanism.findEquations(state);
     const auto isOfAccelerations = [](const ConstraintEquation& e) {
-        return e.level == EquationLevel::Acceleration;
+        return e.level == KinematicLevel::Acceleration;
     };
     equations.erase(std::find_if(equations.begin(), equations.end(), isOfAccelerations), equations.end());
     return equations;

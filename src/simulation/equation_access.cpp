@@ -67,9 +67,9 @@ Real calcFreeResponse(const SimTK::SimbodyMatterSubsystem& matter, const State& 
 void weighErrors(const Mechanism& mechanism, State& state) {
     mechanism.getSystem().realize(state, SimTK::Stage::Instance);
     for (const ConstraintEquation& equation : mechanism.findEquations(state)) {
-        if (equation.isDropped() || equation.level == EquationLevel::Acceleration) continue;
+        if (equation.isDropped() || equation.level == KinematicLevel::Acceleration) continue;
         state.updUErrWeights()[equation.multiplier] = 1 / equation.scale;
-        if (equation.level == EquationLevel::Holonomic)
+        if (equation.level == KinematicLevel::Position)
             state.updQErrWeights()[equation.multiplier] = 1 / equation.scale;
     }
     mechanism.getSystem().realize(state, SimTK::Stage::Position);

@@ -124,13 +124,13 @@ std::string describeLargestError(const Mechanism& mechanism, const State& state)
     Real largest = 0;
     for (const ConstraintEquation& equation :
          findEquations(mechanism.getMatter(), state, mechanism.getElementNames())) {
-        if (equation.level != EquationLevel::Holonomic) continue;
+        if (equation.level != KinematicLevel::Position) continue;
         const Real error = std::abs(equation.getError(state.getQErr()));
         if (error <= largest) continue;
         largest = error;
         text = fmt::format("; the largest constraint error is {:.3g} {} at {}",
-                           equation.isLength ? error / mechanism.getUnits().length : error,
-                           equation.isLength ? "length units" : "rad", equation.getText());
+                           error / mechanism.getUnits().getDisplacement(equation.dimension),
+                           getUnitName(equation.dimension), equation.getText());
     }
     return text;
 }

@@ -40,7 +40,7 @@ SwitchWatch::Source makeSwitches(const Mechanism& mechanism) {
     };
 }
 
-class Integration : public Stepper {
+class Integration final : public Stepper {
 public:
     Integration(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
         : m_mechanism(mechanism),

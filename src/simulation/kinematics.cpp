@@ -22,7 +22,7 @@ namespace {
 constexpr Real LargestCorrection = 0.05;  // of a coordinate: length units, radians
 constexpr int MostHalvings = 20;
 
-class Kinematics : public Stepper {
+class Kinematics final : public Stepper {
 public:
     Kinematics(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
         : m_mechanism(mechanism), m_state(initial), m_tolerance(options.getConstraintTolerance()) {

@@ -95,19 +95,20 @@ std::vector<std::string> DroppedEquations::getTexts() const {
 
 std::string DroppedEquations::describeViolation(const Dropped& dropped, Real error) const {
     const char* const PerTime[] = {"", "/s", "/s^2"};
-    const bool isLength = dropped.equation.isLength;
+    const Dimension dimension = dropped.equation.dimension;
     return fmt::format(
         "{}, which was dropped because {}, is violated by {:.3g} {}{}: {}", dropped.equation.getText(),
         dropped.isEmpty ? "no motion changed it" : "it followed from other equations",
-        isLength ? std::abs(error) / m_mechanism.getUnits().length : std::abs(error),
-        isLength ? "length units" : "rad", PerTime[int(dropped.equation.level)],
+        std::abs(error) / m_mechanism.getUnits().getDisplacement(dimension), getUnitName(dimension),
+        PerTime[int(dropped.equation.level)],
         dropped.isEmpty ? "by itself it cannot hold what it says" : "it is in conflict with them now");
 }
 
 void DroppedEquations::check(const State& state, Real tolerance) const {
     for (const Dropped& dropped : m_dropped) {
         const Real error = dropped.access.calcError(state);
-        const Real allowed = dropped.equation.isLength ? m_allowed.length : m_allowed.angle;
+        const Real allowed =
+            dropped.equation.dimension == Dimension::Length ? m_allowed.length : m_allowed.angle;
         if (std::abs(error) > std::max(tolerance, allowed))
             throw std::runtime_error(describeViolation(dropped, error));
     }

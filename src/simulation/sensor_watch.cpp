@@ -78,7 +78,8 @@ SwitchWatch::Source SensorWatch::makeSwitches() const {
             switches.back().value -= sensor.value - sensor.error;
             switches.push_back({result.value - sensor.value - sensor.error, result.rate, result.level});
             if (sensor.ends && m_states[k] == SensorState::Armed) continue;
-            for (size_t i = first; i < switches.size(); ++i) switches[i] = {1, 0, InputLevel::Acceleration};
+            for (size_t i = first; i < switches.size(); ++i)
+                switches[i] = {1, 0, KinematicLevel::Acceleration};
         }
     };
 }

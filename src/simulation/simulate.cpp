@@ -47,7 +47,7 @@ void checkOptions(const SimulationOptions& options, double start) {
 bool isHolonomic(const Mechanism& mechanism, const State& state) {
     const auto equations = mechanism.findEquations(state);
     return std::all_of(equations.begin(), equations.end(),
-                       [](const auto& e) { return e.level == EquationLevel::Holonomic; });
+                       [](const auto& e) { return e.level == KinematicLevel::Position; });
 }
 
 bool isKinematic(const Mechanism& mechanism, const State& state, int freedoms, SimulationKind kind) {

@@ -9,7 +9,7 @@ using SimTK::State;
 
 namespace {
 
-class Statics : public Stepper {
+class Statics final : public Stepper {
 public:
     Statics(const Mechanism& mechanism, const State& initial)
         : m_mechanism(mechanism), m_state(findEquilibrium(mechanism, initial)) {}

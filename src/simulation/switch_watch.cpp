@@ -46,7 +46,7 @@ std::optional<SwitchWatch::Point> SwitchWatch::findBeyond(const Moment& end, siz
     constexpr int MostTrials = 30;
     constexpr Real Margin = 0.05, OfLargest = 1e-9, Nothing = 1e-12;
     const Real side = from.value > 0 ? 1 : -1, floor = Nothing + OfLargest * m_largest[k];
-    const bool hasRate = m_last[k].level == InputLevel::Position;
+    const bool hasRate = m_last[k].level == KinematicLevel::Position;
     for (int trial = 0; trial < MostTrials; ++trial) {
         const Real width = to.s - from.s;
         const Real there = (to.value - from.value - to.rate * width) / (from.rate - to.rate);
@@ -86,11 +86,11 @@ std::optional<Excursion> SwitchWatch::check(const State& state, bool withOneWay)
     for (size_t k = 0; k < m_now.size(); ++k) {
         const Switch &a = m_last[k], &b = m_now[k];
         m_largest[k] = std::max({m_largest[k], std::abs(a.value), std::abs(b.value)});
-        if (a.level == InputLevel::Acceleration) continue;
+        if (a.level == KinematicLevel::Acceleration) continue;
         if (a.value * b.value > 0 && a.value * a.rate < 0 && b.value * b.rate > 0) {
             const auto beyond = findBeyond(end, k, {0, a.value, a.rate * h}, {1, b.value, b.rate * h});
             if (beyond) keep(findCrossing(end, k, 0, beyond->s), findCrossing(end, k, 1, beyond->s));
-        } else if (withOneWay && a.level == InputLevel::Position && a.value * b.value < 0) {
+        } else if (withOneWay && a.level == KinematicLevel::Position && a.value * b.value < 0) {
             const Real there = findCrossing(end, k, 0, 1);
             if (there < AtEnd) keep(there, 1);
         }

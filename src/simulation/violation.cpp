@@ -21,7 +21,7 @@ Violation calcViolation(const std::vector<ConstraintEquation>& equations, const 
     const Vector& errors = state.getQErr();
     Violation violation;
     for (const ConstraintEquation& equation : equations) {
-        if (equation.level != EquationLevel::Holonomic) break;
+        if (equation.level != KinematicLevel::Position) break;
         keepWorst(violation, equation, equation.getError(errors));
     }
     return violation;
@@ -36,7 +36,7 @@ void keepWorst(Violation& worst, const Violation& now) {
 
 void keepWorst(Violation& worst, const ConstraintEquation& equation, Real error) {
     Violation violation{0, 0, equation.element};
-    (equation.isLength ? violation.length : violation.angle) = std::abs(error);
+    (equation.dimension == Dimension::Length ? violation.length : violation.angle) = std::abs(error);
     keepWorst(worst, violation);
 }
 

@@ -16,18 +16,24 @@ Json makeViolation(const Violation& v, const UnitSystem& units) {
     return {{"length", v.length / units.length}, {"angle", v.angle}, {"element", v.element}};
 }
 
+const char* getUnitWord(Dimension dimension) {
+    return dimension == Dimension::Length ? "length" : "rad";
+}
+
 Json makeMissed(const std::vector<MissedCoordinate>& missed, const UnitSystem& units) {
     Json list = Json::array();
     for (const MissedCoordinate& m : missed)
         list.push_back({{"element", m.element},
                         {"coordinate", m.coordinate},
-                        {"amount", m.isLength ? m.amount / units.length : m.amount},
-                        {"unit", m.isLength ? "length" : "rad"}});
+                        {"amount", m.amount / units.getDisplacement(m.dimension)},
+                        {"unit", getUnitWord(m.dimension)}});
     return list;
 }
 
 Json makeEquation(const ConstraintEquation& equation) {
-    return {{"element", equation.element}, {"equation", equation.words}, {"level", getName(equation.level)}};
+    return {{"element", equation.element},
+            {"equation", equation.words},
+            {"level", getEquationKind(equation.level)}};
 }
 
 // Those of reading and building, then why it cannot be assembled.
@@ -103,8 +109,8 @@ void addFailure(const AssemblyFailure& failure, const UnitSystem& units, Json& j
         for (size_t k = 0; k < conflict.equations.size(); ++k) {
             const ConstraintEquation& equation = failure.conflicts.equations[size_t(conflict.equations[k])];
             Json entry = makeEquation(equation);
-            entry["error"] = equation.isLength ? conflict.errors[k] / units.length : conflict.errors[k];
-            entry["unit"] = equation.isLength ? "length" : "rad";
+            entry["error"] = conflict.errors[k] / units.getDisplacement(equation.dimension);
+            entry["unit"] = getUnitWord(equation.dimension);
             equations.push_back(entry);
         }
         json["conflicts"].push_back(equations);

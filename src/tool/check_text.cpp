@@ -34,9 +34,9 @@ private:
     static void printLine(const std::string& label, const Value& value) {
         fmt::print("{:<24}{}\n", label, value);
     }
-    std::string formatError(const ConstraintEquation& equation, Real error) const {
-        return equation.isLength ? fmt::format("{:.3g} {}", error / m_units.length, m_length)
-                                 : fmt::format("{:.3g} rad", error);
+    std::string formatAmount(Real amount, Dimension dimension) const {
+        return fmt::format("{:.3g} {}", amount / m_units.getDisplacement(dimension),
+                           dimension == Dimension::Length ? m_length : getUnitName(dimension));
     }
 
     const CheckReport& m_report;
@@ -110,8 +110,9 @@ void Printer::printRedundant() const {
     const ConstraintReport& c = m_report.constraints;
     for (const RedundantEquation& r : c.redundant) {
         const ConstraintEquation& equation = c.equations[size_t(r.equation)];
-        const std::string level =
-            equation.level == EquationLevel::Holonomic ? "" : fmt::format(" ({})", getName(equation.level));
+        const std::string level = equation.level == KinematicLevel::Position
+                                      ? ""
+                                      : fmt::format(" ({})", getEquationKind(equation.level));
         printLine(r.onlyHere ? "redundant only here" : "redundant", equation.getText() + level);
         std::string label = "    follows from";
         for (const std::string& line : formatByElement(c.equations, r.dependsOn))
@@ -139,7 +140,7 @@ void Printer::printConflicts() const {
                   fmt::format("{} equations cannot be met together; left are", conflict.equations.size()));
         for (size_t k = 0; k < conflict.equations.size(); ++k) {
             const ConstraintEquation& equation = report.equations[size_t(conflict.equations[k])];
-            printLine("", equation.getText() + ": " + formatError(equation, conflict.errors[k]));
+            printLine("", equation.getText() + ": " + formatAmount(conflict.errors[k], equation.dimension));
         }
     }
 }
@@ -152,9 +153,7 @@ void Printer::printMissed() const {
     }
     printLine("conflict", "given coordinates contradict the constraints or each other; missed are");
     for (const MissedCoordinate& m : missed)
-        printLine("", fmt::format("{} {}: {}", m.element, m.coordinate,
-                                  m.isLength ? fmt::format("{:.3g} {}", m.amount / m_units.length, m_length)
-                                             : fmt::format("{:.3g} rad", m.amount)));
+        printLine("", fmt::format("{} {}: {}", m.element, m.coordinate, formatAmount(m.amount, m.dimension)));
 }
 
 void Printer::printFlipped() const {

@@ -73,7 +73,7 @@ TEST(Conflicts, FourBarThatCannotClose) {
     std::map<std::string, double> gaps;
     for (size_t k = 0; k < report.conflicts[0].equations.size(); ++k) {
         const ConstraintEquation& equation = report.equations[size_t(report.conflicts[0].equations[k])];
-        EXPECT_TRUE(equation.isLength) << equation.getText();
+        EXPECT_EQ(equation.dimension, Dimension::Length) << equation.getText();
         double& gap = gaps[equation.element];
         gap = std::hypot(gap, report.conflicts[0].errors[k]);
     }

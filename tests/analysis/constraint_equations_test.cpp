@@ -96,9 +96,9 @@ TEST(ConstraintEquations, JointsAndPrimitivesByTheirNames) {
     EXPECT_EQ(equations[0].getText(), "JOINT/1 HOOKE: translation of I along Xj");
     EXPECT_EQ(equations[3].getText(), "JOINT/1 HOOKE: rotation between Xi and Yj");
     EXPECT_EQ(equations[7].getText(), "JPRIM/12 PARALLEL_AXES: rotation between Zi and Xj");
-    EXPECT_TRUE(equations[0].isLength);
-    EXPECT_FALSE(equations[3].isLength);
-    EXPECT_STREQ(getName(equations[7].level), "holonomic");
+    EXPECT_EQ(equations[0].dimension, Dimension::Length);
+    EXPECT_EQ(equations[3].dimension, Dimension::Angle);
+    EXPECT_STREQ(getEquationKind(equations[7].level), "holonomic");
 }
 
 TEST(ConstraintEquations, WordsThatDoNotExist) {
@@ -175,10 +175,10 @@ TEST_F(SimbodyOnly, RedundancyAcrossTypesAndLevels) {
     Constraint::Ball(matter.updGround(), a);
     Constraint::ConstantSpeed(pin, 0.);
     const std::vector<ConstraintEquation> equations = findAll();
-    EXPECT_EQ(equations.front().level, EquationLevel::Acceleration);
-    EXPECT_EQ(equations.back().level, EquationLevel::Nonholonomic);
-    EXPECT_STREQ(getName(equations.front().level), "acceleration");
-    EXPECT_STREQ(getName(equations.back().level), "nonholonomic");
+    EXPECT_EQ(equations.front().level, KinematicLevel::Acceleration);
+    EXPECT_EQ(equations.back().level, KinematicLevel::Velocity);
+    EXPECT_STREQ(getEquationKind(equations.front().level), "acceleration");
+    EXPECT_STREQ(getEquationKind(equations.back().level), "nonholonomic");
     const ConstraintReport report = analyzeConstraints(matter, state);
     EXPECT_EQ(report.getGrueblerCount(), 13 - 11);
     EXPECT_EQ(report.getDegreesOfFreedom(), 6);

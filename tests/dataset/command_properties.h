@@ -21,7 +21,7 @@ inline bool isSound(const SimulateCommand& s) {
     if (s.steps.value_or(1) < 1 || s.dtout.value_or(1) <= 0) return false;
     if (s.analysis == Analysis::InitialConditions) return untimed;
     if (s.analysis == Analysis::Statics && untimed) return true;
-    return timed && s.level == MotionLevel::Acceleration;
+    return timed && s.level == KinematicLevel::Acceleration;
 }
 
 inline bool isSound(const ActivateCommand& a) {

@@ -99,9 +99,9 @@ TEST(Commands, EveryAnalysis) {
         EXPECT_EQ(simulate("SI/END=2, " + std::string(word) + ", STEPS=3").analysis, analysis) << word;
     EXPECT_EQ(simulate("SIMULATE/STATICS").analysis, Analysis::Statics);
     EXPECT_FALSE(simulate("SIMULATE/STATICS").end);
-    EXPECT_EQ(simulate("SIMULATE/INITIAL_CONDITIONS").level, MotionLevel::Acceleration);
-    EXPECT_EQ(simulate("SIM/I, VEL").level, MotionLevel::Velocity);
-    EXPECT_EQ(simulate("SIM/INITIAL, DISPLACEMENT").level, MotionLevel::Displacement);
+    EXPECT_EQ(simulate("SIMULATE/INITIAL_CONDITIONS").level, KinematicLevel::Acceleration);
+    EXPECT_EQ(simulate("SIM/I, VEL").level, KinematicLevel::Velocity);
+    EXPECT_EQ(simulate("SIM/INITIAL, DISPLACEMENT").level, KinematicLevel::Position);
     EXPECT_EQ(simulate("SIM/INITIAL, DISPLACEMENT").analysis, Analysis::InitialConditions);
 }
 

@@ -78,15 +78,15 @@ TEST(DatasetReader, MotionsOfJoints) {
     const auto& m = dataset.motions;
     EXPECT_EQ(m[0].joint, 3);
     EXPECT_EQ(m[0].axis, MotionAxis::Joint);
-    EXPECT_EQ(m[0].level, MotionLevel::Displacement);
+    EXPECT_EQ(m[0].level, KinematicLevel::Position);
     EXPECT_EQ(m[0].function.text, "30D*TIME");
     EXPECT_FALSE(m[0].icdisp || m[0].icvel);
     EXPECT_EQ(m[1].axis, MotionAxis::Rotation);
     EXPECT_EQ(m[2].axis, MotionAxis::Translation);
-    EXPECT_EQ(m[2].level, MotionLevel::Velocity);
+    EXPECT_EQ(m[2].level, KinematicLevel::Velocity);
     EXPECT_EQ(m[2].icdisp, 2.0);
     EXPECT_EQ(m[2].function.text, "3 * time");
-    EXPECT_EQ(m[3].level, MotionLevel::Acceleration);
+    EXPECT_EQ(m[3].level, KinematicLevel::Acceleration);
     EXPECT_EQ(m[3].icdisp, 1.0);
     EXPECT_EQ(m[3].icvel, -2.0);
     EXPECT_EQ(m[4].axis, MotionAxis::Rotation);

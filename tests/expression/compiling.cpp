@@ -7,14 +7,14 @@ namespace {
 struct Input {
     const char* name;
     bool isVector;
-    InputLevel level;
+    KinematicLevel level;
 };
 
 const Input Inputs[] = {
-    {"Q1", false, InputLevel::Position}, {"Q2", false, InputLevel::Position},
-    {"Q3", false, InputLevel::Position}, {"U1", false, InputLevel::Velocity},
-    {"U2", false, InputLevel::Velocity}, {"A1", false, InputLevel::Acceleration},
-    {"RV", true, InputLevel::Position},  {"VV", true, InputLevel::Velocity},
+    {"Q1", false, KinematicLevel::Position}, {"Q2", false, KinematicLevel::Position},
+    {"Q3", false, KinematicLevel::Position}, {"U1", false, KinematicLevel::Velocity},
+    {"U2", false, KinematicLevel::Velocity}, {"A1", false, KinematicLevel::Acceleration},
+    {"RV", true, KinematicLevel::Position},  {"VV", true, KinematicLevel::Velocity},
 };
 
 Program compile(const std::string& text, InputVocabulary& vocabulary) {

@@ -45,22 +45,22 @@ TEST(ExpressionProgram, LinearityInVelocities) {
 }
 
 TEST(ExpressionProgram, Level) {
-    EXPECT_EQ(Expression("2*PI").getProgram().getLevel(), InputLevel::Position);
-    EXPECT_EQ(Expression("Q1+TIME").getProgram().getLevel(), InputLevel::Position);
-    EXPECT_EQ(Expression("Q1*VV*RV").getProgram().getLevel(), InputLevel::Velocity);
-    EXPECT_EQ(Expression("U1+0*A1").getProgram().getLevel(), InputLevel::Acceleration);
-    EXPECT_EQ(Expression("[Q1,U1,2]").getProgram().getLevel(), InputLevel::Velocity);
+    EXPECT_EQ(Expression("2*PI").getProgram().getLevel(), KinematicLevel::Position);
+    EXPECT_EQ(Expression("Q1+TIME").getProgram().getLevel(), KinematicLevel::Position);
+    EXPECT_EQ(Expression("Q1*VV*RV").getProgram().getLevel(), KinematicLevel::Velocity);
+    EXPECT_EQ(Expression("U1+0*A1").getProgram().getLevel(), KinematicLevel::Acceleration);
+    EXPECT_EQ(Expression("[Q1,U1,2]").getProgram().getLevel(), KinematicLevel::Velocity);
     EXPECT_TRUE(Expression("[Q1,U1,2]").getProgram().isVector());
 }
 
 // The inputs keep their numbers when others turn out to be of no use.
 TEST(ExpressionProgram, WhatTheResultDoesNotNeedIsLeftOut) {
     ProgramBuilder builder;
-    const Operand a = builder.addScalarInput(InputLevel::Acceleration);
+    const Operand a = builder.addScalarInput(KinematicLevel::Acceleration);
     const Operand t = builder.time();
-    const Operand q = builder.addScalarInput(InputLevel::Position);
-    const Operand v = builder.addVectorInput(InputLevel::Velocity);
-    const Operand r = builder.addVectorInput(InputLevel::Position);
+    const Operand q = builder.addScalarInput(KinematicLevel::Position);
+    const Operand v = builder.addVectorInput(KinematicLevel::Velocity);
+    const Operand r = builder.addVectorInput(KinematicLevel::Position);
     builder.multiply(builder.continuousAngle(a, t), builder.norm(v));
     const Operand result = builder.multiply(q, builder.component(r, 1));
     EXPECT_EQ(builder.getNumScalarInputs(), 3);
@@ -75,7 +75,7 @@ TEST(ExpressionProgram, WhatTheResultDoesNotNeedIsLeftOut) {
     EXPECT_TRUE(program.usesVectorInput(1));
     EXPECT_EQ(program.getTimeInput(), -1);
     EXPECT_EQ(program.getNumAngles(), 0);
-    EXPECT_EQ(program.getLevel(), InputLevel::Position);
+    EXPECT_EQ(program.getLevel(), KinematicLevel::Position);
     EXPECT_EQ(builder.finish(t).getTimeInput(), 1);
 
     Evaluation evaluation(program);

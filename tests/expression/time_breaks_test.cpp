@@ -76,7 +76,7 @@ TEST(TimeBreaks, OfWhatJumps) {
 // Branches that depend on anything else are not of time alone; those decided by time are, whatever they lead to.
 TEST(TimeBreaks, OfTimeAlone) {
     ProgramBuilder b;
-    const Operand x = b.component(b.addVectorInput(InputLevel::Position), 0);
+    const Operand x = b.component(b.addVectorInput(KinematicLevel::Position), 0);
     EXPECT_TRUE(TimeBreaks(b.finish(b.max(x, b.time())), 1).isEmpty());
     EXPECT_TRUE(TimeBreaks(b.finish(b.multiply(x, b.time())), 1).isEmpty());
     const Operand late = b.subtract(b.time(), b.number(0.9));

@@ -79,8 +79,9 @@ TEST(DroppedEquations, OfMotionsAndVelocities) {
     Falling f;
     std::vector<GeneralConstraint> all = {GeneralConstraint(f.write("DY(1)-0")),
                                           GeneralConstraint(f.write("VX(1,2)+WZ(2)"))};
-    for (int derivative = 0; derivative < 3; ++derivative)
-        all.push_back(PrescribedMotion(f.I, f.G, Coordinate::Y, Expression("2", {}), derivative));
+    for (const KinematicLevel level :
+         {KinematicLevel::Position, KinematicLevel::Velocity, KinematicLevel::Acceleration})
+        all.push_back(PrescribedMotion(f.I, f.G, Coordinate::Y, Expression("2", {}), level));
     State state = f.system.realizeTopology();
     for (const GeneralConstraint& equation : all) equation.dropEquation(state);
     expectFree(f, state, [&](const State& s) { return all[0].calcReactionOn(s, 1); });

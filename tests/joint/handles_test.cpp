@@ -144,7 +144,7 @@ TEST(Handles, NamesAreFoundWithoutAList) {
     InPlane(t.I, t.J);
     GeneralConstraint(t.write("DM(1,2)-1"), "rope");
     GeneralConstraint(t.write("AZ(1,2)"));
-    PrescribedMotion(t.I, t.J, Coordinate::X, Expression("TIME", {}), 0, "drive");
+    PrescribedMotion(t.I, t.J, Coordinate::X, Expression("TIME", {}), KinematicLevel::Position, "drive");
     PrescribedMotion(t.I, t.J, Coordinate::Rotation, Expression("TIME", {}));
     Joint::Screw(t.I, t.J, 0.3, 0, "screw");
     Joint::Rackpin(t.I, t.J, 0.3);
@@ -155,7 +155,7 @@ TEST(Handles, NamesAreFoundWithoutAList) {
     std::string lengths;
     for (const ConstraintEquation& equation : findEquations(t.matter, state)) {
         texts.push_back(equation.getText());
-        lengths += equation.isLength ? 'L' : '-';
+        lengths += equation.dimension == Dimension::Length ? 'L' : '-';
     }
     texts.resize(9);
     EXPECT_EQ(texts,

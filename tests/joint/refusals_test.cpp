@@ -91,9 +91,10 @@ TEST(Refusals, OfNumbersOfJointsAndEquations) {
     EXPECT_EQ(t.refuse([](Two& m) { Joint::Rackpin(m.I, m.J, 0.1, NaN); }),
               "RACKPIN: its offset is nan; it must be a finite number");
     for (const auto& [period, text] : {std::pair(Real(NaN), "nan"), {Infinity, "inf"}, {-1, "-1"}})
-        EXPECT_EQ(
-            t.refuse([p = period](Two& m) { GeneralConstraint(m.write("AZ(1,2)"), writeTime(), 0, p, "g"); }),
-            std::string("g: its period is ") + text + "; it must be positive, or 0 for none");
+        EXPECT_EQ(t.refuse([p = period](Two& m) {
+            GeneralConstraint(m.write("AZ(1,2)"), writeTime(), KinematicLevel::Position, p, "g");
+        }),
+                  std::string("g: its period is ") + text + "; it must be positive, or 0 for none");
     GeneralConstraint g(t.write("DX(1,2)-1"), "g");
     for (const auto& [scale, text] : {std::pair(Real(NaN), "nan"), {Infinity, "inf"}, {0, "0"}})
         EXPECT_EQ(catchError([&, s = scale] { g.setDefaultScale(s); }),
@@ -105,7 +106,8 @@ TEST(Refusals, OfNumbersOfJointsAndEquations) {
 TEST(Refusals, OfEquationsWithoutAValue) {
     Two t;
     const GeneralConstraint root(t.write("SQRT(DX(1,2)-1)"), "root");
-    PrescribedMotion drive(t.I, t.J, Coordinate::Y, Expression("LOG(TIME)", {}), 0, "drive");
+    PrescribedMotion drive(t.I, t.J, Coordinate::Y, Expression("LOG(TIME)", {}), KinematicLevel::Position,
+                           "drive");
     drive.setDisabledByDefault(true);
     State state = t.system.realizeTopology();
     const std::string message = catchError([&] { t.system.realize(state, Stage::Position); });
@@ -124,13 +126,14 @@ TEST(Refusals, OfDerivativesThatCannotBePrescribed) {
     for (const int derivative : {-1, 3, 100}) {
         Two t;
         EXPECT_EQ(
-            t.refuse(
-                [&](Two& m) { PrescribedMotion(m.I, m.J, Coordinate::X, writeTime(), derivative, "m"); }),
+            t.refuse([&](Two& m) {
+                PrescribedMotion(m.I, m.J, Coordinate::X, writeTime(), KinematicLevel(derivative), "m");
+            }),
             "m: derivative " + std::to_string(derivative) +
                 " of a coordinate cannot be prescribed; use 0 for the coordinate itself, 1 for its rate or "
                 "2 for its acceleration");
         EXPECT_EQ(t.refuse([&](Two& m) {
-                       GeneralConstraint(m.write("DX(1,2)"), writeTime(), derivative, 0);
+                       GeneralConstraint(m.write("DX(1,2)"), writeTime(), KinematicLevel(derivative), 0);
                    }).rfind("GCON: derivative", 0),
                   0u);
     }

@@ -175,8 +175,8 @@ TEST(Expression, MotionsAndForcesAreGivenByFunctions) {
     MobilizedBody::Free driven(matter.Ground(), body), free(matter.Ground(), body);
     const Marker I(driven), J(matter.updGround()), F(free);
     const auto sine = std::make_shared<SimTK::Function::Sinusoid>(0.3, 2, 0.1);  // 0.3 sin(2 t + 0.1)
-    const GeneralConstraint motion(makeCoordinate(I, J, Coordinate::Z), Expression::ofTime(sine), 0, 0,
-                                   "motion");
+    const GeneralConstraint motion(makeCoordinate(I, J, Coordinate::Z), Expression::ofTime(sine),
+                                   KinematicLevel::Position, 0, "motion");
     ExpressionDefinitions definitions;
     definitions.functions["K"] =
         std::make_shared<SimTK::Function::Linear>(Vector(SimTK::Vec2(-50, 20)));  // -50 x + 20

@@ -133,7 +133,7 @@ TEST_P(InitialCoordinates, WinAgainstExact) {
     double sum = 0;
     for (const MissedCoordinate& missed : assembled.yielded) {
         EXPECT_EQ(missed.element, "PART/2");
-        EXPECT_TRUE(missed.isLength);
+        EXPECT_EQ(missed.dimension, Dimension::Length);
         sum += missed.amount * missed.amount;
     }
     EXPECT_EQ(assembled.yielded[0].coordinate, "EXACT Z");

@@ -84,7 +84,7 @@ struct Connection {
 struct Equation {
     std::string name;
     GeneralConstraint constraint;
-    bool isLength = false;  ///< its error counts as a length, otherwise as an angle
+    Dimension dimension = Dimension::Angle;  ///< of its error
 };
 
 /// A load [moment, force] in Ground, at the origin of the marker it acts on. Requires Stage::Acceleration.
@@ -129,7 +129,7 @@ struct MechanismSensor {
 struct InitialCoordinate {
     std::string name;
     Expression coordinate;
-    bool isAngle = false;  ///< value and value + 2 pi are the same
+    Dimension dimension = Dimension::Length;  ///< of an angle value and value + 2 pi are the same
     std::optional<SimTK::Real> value;
     std::optional<SimTK::Real> rate;
 };

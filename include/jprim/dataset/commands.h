@@ -36,7 +36,7 @@ struct SimulateCommand {
     /// DTOUT: the size of an output step, positive. The end is written too, after a shorter step if need be.
     std::optional<double> dtout;
     /// How far InitialConditions go: to displacements, also to velocities, also to accelerations.
-    MotionLevel level = MotionLevel::Acceleration;
+    KinematicLevel level = KinematicLevel::Acceleration;
 };
 
 /// The kinds of statement that can be switched off and on.

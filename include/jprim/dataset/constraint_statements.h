@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jprim/base/diagnostic.h"
+#include "jprim/base/kinematic_level.h"
 #include "jprim/dataset/source_text.h"
 
 /// @file
@@ -79,9 +80,6 @@ enum class MotionAxis {
     B3
 };
 
-/// What of the coordinate a MOTION's function gives.
-enum class MotionLevel { Displacement, Velocity, Acceleration };
-
 /// MOTION: prescribes a coordinate of a joint (form 1) or between two markers (form 2). After reading
 /// either `joint` is given or both `i` and `j`. A joint named is a Revolute, Translational or Cylindrical,
 /// and it has the axis.
@@ -92,9 +90,9 @@ struct MotionStatement {
     int i = 0;      ///< 0 in form 1
     int j = 0;
     MotionAxis axis = MotionAxis::Joint;  ///< Joint, Rotation, Translation in form 1; X … B3 in form 2
-    MotionLevel level = MotionLevel::Displacement;
+    KinematicLevel level = KinematicLevel::Position;  ///< what of the coordinate the function gives
     ExpressionText function;
-    std::optional<double> icdisp;  ///< ICDISP: the coordinate at the start; only if level > Displacement
+    std::optional<double> icdisp;  ///< ICDISP: the coordinate at the start; only if level > Position
     std::optional<double> icvel;   ///< ICVEL: its rate at the start; only if level is Acceleration
 };
 
@@ -112,12 +110,12 @@ struct CouplerStatement {
     std::vector<double> scales;
 };
 
-/// Adams' spelling of a type, in full and upper case: "PARALLEL_AXES", "REVOLUTE", "B1", "VELOCITY".
-const char* getAdamsName(JprimType type);
-const char* getAdamsName(JointType type);
-const char* getAdamsName(MotionAxis axis);  ///< empty for Joint
-const char* getAdamsName(MotionLevel level);
-const char* getAdamsName(CouplerType type);
+/// Adams' spelling of a type, in full and upper case: "PARALLEL_AXES", "REVOLUTE", "B1".
+[[nodiscard]] const char* getAdamsName(JprimType type);
+[[nodiscard]] const char* getAdamsName(JointType type);
+[[nodiscard]] const char* getAdamsName(MotionAxis axis);       ///< empty for Joint
+[[nodiscard]] const char* getAdamsName(KinematicLevel level);  ///< DISPLACEMENT, VELOCITY or ACCELERATION
+[[nodiscard]] const char* getAdamsName(CouplerType type);
 
 }  // namespace jprim
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "jprim/base/kinematic_level.h"
 #include "jprim/marker/expression.h"
 #include "jprim/marker/typed_handle.h"
 
@@ -39,10 +40,10 @@ public:
     /// A coordinate that follows a function of time: q = g, dq/dt = g or d2q/dt2 = g.
     /// @param coordinate  q, of positions
     /// @param function    g, of nothing but TIME
-    /// @param derivative  which derivative of q equals g: 0, 1 or 2
+    /// @param level       what equals g: q, its rate or its acceleration
     /// @param period      q and q + period are the same, and g may go on for many of them; 0: they are not
-    /// @throws Error as above, or for another derivative or period
-    GeneralConstraint(const Expression& coordinate, const Expression& function, int derivative,
+    /// @throws Error as above, or for another level or period
+    GeneralConstraint(const Expression& coordinate, const Expression& function, KinematicLevel level,
                       SimTK::Real period, const std::string& name = "");
 
     const std::string& getName() const;
@@ -109,7 +110,7 @@ protected:
     /// The same for a class that is made of it.
     GeneralConstraint(const char* adamsType, const Expression& f, const std::string& name);
     GeneralConstraint(const char* adamsType, const Expression& coordinate, const Expression& function,
-                      int derivative, SimTK::Real period, const std::string& name);
+                      KinematicLevel level, SimTK::Real period, const std::string& name);
     static bool isOfType(const SimTK::Constraint& constraint, const char* adamsType);
 
 private:

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "jprim/base/units.h"
 #include "jprim/general/general_constraint.h"
 
 namespace jprim {
@@ -19,12 +20,12 @@ enum class Coordinate {
     B3
 };
 
-/// True if the coordinate is a length; false if it is an angle.
-bool isLength(Coordinate coordinate);
+[[nodiscard]] Dimension getDimension(Coordinate coordinate);
 
 /// The coordinate as an expression, in the system's units and rad; the keys of I and J are 1 and 2. Angles
 /// are within half a turn, or with `countTurns` a Rotation counts whole turns.
-Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinate, bool countTurns = false);
+[[nodiscard]] Expression makeCoordinate(const Marker& I, const Marker& J, Coordinate coordinate,
+                                        bool countTurns = false);
 
 /// Adams' MOTION: a coordinate, its rate or its acceleration is a function of time. One equation; of
 /// positions, velocities or accelerations, and only what it prescribes is kept exactly. The reaction is the
@@ -37,11 +38,11 @@ public:
 
     /// An empty handle; good only to be assigned to.
     PrescribedMotion() = default;
-    /// @param function    of nothing but TIME; an angle may go on for whole turns
-    /// @param derivative  which derivative of the coordinate the function gives: 0, 1 or 2
+    /// @param function  of nothing but TIME; an angle may go on for whole turns
+    /// @param level     what the function gives: the coordinate, its rate or its acceleration
     /// @throws Error as GeneralConstraint and as primitives do
     PrescribedMotion(const Marker& I, const Marker& J, Coordinate coordinate, const Expression& function,
-                     int derivative = 0, const std::string& name = "");
+                     KinematicLevel level = KinematicLevel::Position, const std::string& name = "");
 
     /// [moment, force] on the marker's body at its origin, in Ground. Requires Stage::Acceleration.
     SimTK::SpatialVec calcReactionOnI(const SimTK::State& state) const;

@@ -11,8 +11,8 @@
 namespace jprim {
 
 /// A frame M fixed to a body B, or to a node N of a flexible body: Adams' MARKER. A value: copies refer to
-/// the same body, and nothing changes when the marker goes away. Lengths are in the system's length unit (SI
-/// throughout jprim).
+/// the same body, and nothing changes when the marker goes away. Lengths are in the system's length unit:
+/// metres, unless a Mechanism has another (Mechanism::getLengthUnit).
 class Marker {
 public:
     /// A marker on no body; good only to be assigned to.

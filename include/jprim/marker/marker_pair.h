@@ -7,8 +7,14 @@
 
 namespace jprim {
 
+/// To the load F = [m, f] at I's origin the opposite one at J's: [-m - r x f, -f], with r from J's origin to I's. The
+/// lever r x f makes it the same wrench.
+inline SimTK::SpatialVec calcOppositeLoad(const SimTK::SpatialVec& F, const SimTK::Vec3& r) {
+    return {-F[0] - r % F[1], -F[1]};
+}
+
 /// Motion of marker I relative to marker J, **seen from J and expressed in J**, and the way back: a load
-/// between the two, as it acts on each. Every cross product of relative motion in jprim is in this class.
+/// between the two, as it acts on each. Every cross product of relative motion in jprim is in this header.
 ///
 /// The inputs are poses, velocities and accelerations in any frame A. What comes out does not depend on
 /// which, so the errors of a constraint built on it are the same in every frame.
@@ -47,10 +53,9 @@ public:
     /// The load F_J = [moment, force] on I at I's origin, given in J: the same in A.
     SimTK::SpatialVec calcLoadOnI(const SimTK::SpatialVec& F_J) const { return m_R_AJ * F_J; }
 
-    /// The opposite load, at J's origin, in A: [-m - r x f, -f]. The lever r x f makes it the same wrench.
+    /// The opposite load, at J's origin, in A.
     SimTK::SpatialVec calcLoadOnJ(const SimTK::SpatialVec& F_J) const {
-        const SimTK::SpatialVec F_A = m_R_AJ * F_J;
-        return {-F_A[0] - m_r_A % F_A[1], -F_A[1]};
+        return calcOppositeLoad(m_R_AJ * F_J, m_r_A);
     }
 
 private:

@@ -30,11 +30,11 @@ struct MissedCoordinate {
     std::string element;     ///< "PART/3", "JOINT/2"
     std::string coordinate;  ///< "EXACT PSI", "initial value"
     SimTK::Real amount = 0;  ///< by which it is missed [length unit or rad]
-    bool isLength = false;
+    Dimension dimension = Dimension::Angle;
 };
 
 /// "0.524 rad", or a length in units of the dataset: "3 length units".
-std::string formatAmount(const MissedCoordinate& missed, const UnitSystem& units);
+[[nodiscard]] std::string formatAmount(const MissedCoordinate& missed, const UnitSystem& units);
 
 /// A mechanism with its initial conditions: the assembled State and how it came about.
 struct AssembledState {
@@ -66,9 +66,10 @@ private:
 };
 
 /// Position-level violation at a State. Requires Stage::Position.
-Violation calcViolation(const Mechanism& mechanism, const SimTK::State& state);
+[[nodiscard]] Violation calcViolation(const Mechanism& mechanism, const SimTK::State& state);
 /// The same of Mechanism::findEquations(), which stay while no constraint is switched.
-Violation calcViolation(const std::vector<ConstraintEquation>& equations, const SimTK::State& state);
+[[nodiscard]] Violation calcViolation(const std::vector<ConstraintEquation>& equations,
+                                      const SimTK::State& state);
 
 /// Finds initial conditions as Adams does.
 ///

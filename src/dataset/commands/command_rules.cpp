@@ -57,9 +57,9 @@ const SpellingTable<Analysis>& getAnalyses() {
 
 const FieldTable<SimulateArguments>& getSimulateFields() {
     using S = SimulateCommand;
-    using L = MotionLevel;
+    using L = KinematicLevel;
     static const SpellingTable<L> levels = {
-        {L::Displacement, "DISPLACEMENT", 2}, {L::Velocity, "VELOCITY"}, {L::Acceleration, "ACCELERATION"}};
+        {L::Position, "DISPLACEMENT", 2}, {L::Velocity, "VELOCITY"}, {L::Acceleration, "ACCELERATION"}};
     static const FieldTable<SimulateArguments> fields = {
         choice(getAnalyses(), &S::analysis, true),
         choice(levels, &S::level, false, LevelGroup),

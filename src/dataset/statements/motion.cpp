@@ -19,10 +19,10 @@ const SpellingTable<MotionAxis>& getAxes() {
     return axes;
 }
 
-const SpellingTable<MotionLevel>& getLevels() {
-    using L = MotionLevel;
+const SpellingTable<KinematicLevel>& getLevels() {
+    using L = KinematicLevel;
     static const SpellingTable<L> levels = {
-        {L::Displacement, "DISPLACEMENT"}, {L::Velocity, "VELOCITY"}, {L::Acceleration, "ACCELERATION"}};
+        {L::Position, "DISPLACEMENT"}, {L::Velocity, "VELOCITY"}, {L::Acceleration, "ACCELERATION"}};
     return levels;
 }
 
@@ -82,8 +82,8 @@ void checkForm(StatementReader& reader, const S& motion) {
 // A constant of integration is needed once for each integral. Whether a joint's only coordinate is an angle
 // is not known here.
 void checkInitialValues(StatementReader& reader, const S& motion) {
-    reader.checkAllowed("ICDISP", motion.level > MotionLevel::Displacement, "VELOCITY and ACCELERATION");
-    reader.checkAllowed("ICVEL", motion.level == MotionLevel::Acceleration, "ACCELERATION");
+    reader.checkAllowed("ICDISP", motion.level > KinematicLevel::Position, "VELOCITY and ACCELERATION");
+    reader.checkAllowed("ICVEL", motion.level == KinematicLevel::Acceleration, "ACCELERATION");
     const bool length = motion.axis >= MotionAxis::Translation && motion.axis <= MotionAxis::Z;
     for (const char* name : {"ICDISP", "ICVEL"})
         if (length && reader.isInDegrees(name))
@@ -115,7 +115,7 @@ const char* getAdamsName(MotionAxis axis) {
     return axis == MotionAxis::Joint ? "" : getAxes().getName(axis).data();
 }
 
-const char* getAdamsName(MotionLevel level) {
+const char* getAdamsName(KinematicLevel level) {
     return getLevels().getName(level).data();
 }
 
