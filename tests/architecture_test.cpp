@@ -30,16 +30,16 @@ const std::map<std::string, Rooms> AllowedUses = {
     {"joint", {"base", "marker", "primitive", "general"}},
     {"analysis", {"base", "linear_algebra", "marker", "primitive", "general", "joint"}},
     {"dataset", {"base"}},
-    {"build",
+    {"mechanism",
      {"base", "expression", "linear_algebra", "flexible", "marker", "primitive", "general", "force", "joint",
       "analysis", "dataset"}},
     {"results", {"base"}},
     {"simulation",
      {"base", "expression", "linear_algebra", "marker", "general", "force", "joint", "analysis", "dataset",
-      "build", "results"}},
+      "mechanism", "results"}},
     {"tool",
      {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
-      "dataset", "build", "results", "simulation"}}};
+      "dataset", "mechanism", "results", "simulation"}}};
 
 std::vector<fs::path> findFiles(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;

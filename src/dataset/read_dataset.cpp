@@ -64,13 +64,12 @@ StatementCounts countOutcomes(const std::vector<Outcome>& outcomes) {
     return counts;
 }
 
-std::set<std::string> findFaulty(const ReadState& state) {
-    std::set<std::string> names;
+std::map<std::string, std::set<int>> findFaulty(const ReadState& state) {
+    std::map<std::string, std::set<int>> faulty;
     for (const auto& [keyword, ids] : state.ids)
         for (const auto& [id, entry] : ids)
-            if (state.outcomes[entry.statement] == Outcome::Error)
-                names.insert(fmt::format("{}/{}", keyword, id));
-    return names;
+            if (state.outcomes[entry.statement] == Outcome::Error) faulty[std::string(keyword)].insert(id);
+    return faulty;
 }
 
 }  // namespace

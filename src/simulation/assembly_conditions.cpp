@@ -146,7 +146,8 @@ std::vector<MissedCoordinate> findMissedInitial(const Mechanism& mechanism, cons
     for (const InitialCoordinate& given : mechanism.getInitialCoordinates()) {
         if (!given.value) continue;
         const Real amount = std::abs(GivenCoordinate(given).calcErrors(state)[0]);
-        if (amount > tolerance) missed.push_back({given.name, "initial value", amount, given.dimension});
+        if (amount > tolerance)
+            missed.push_back({given.element.getText(), "initial value", amount, given.dimension});
     }
     sortByAmount(missed);
     return missed;
@@ -165,7 +166,7 @@ std::string nameHeld(const Mechanism& mechanism) {
     for (const MechanismPart& part : mechanism.getParts())
         if (hasExact(part)) add("the EXACT coordinates of " + part.name);
     for (const InitialCoordinate& given : mechanism.getInitialCoordinates())
-        if (given.value) add("the initial value of " + given.name);
+        if (given.value) add("the initial value of " + given.element.getText());
     return names;
 }
 

@@ -18,12 +18,13 @@ using SimTK::State;
 
 BreakWatch BreakWatch::ofLoads(const Mechanism& mechanism) {
     BreakWatch watch;
-    for (const MarkerForce& force : mechanism.getForces())
-        for (const MarkerExpression* expression :
-             findImplementation<MarkerForceImpl>(force)->getExpressions())
-            watch.add(*expression);
-    for (const Equation& equation : mechanism.getEquations()) {
-        const auto* constraint = findImplementation<GeneralConstraintImpl>(equation.constraint);
+    for (const Element& element : mechanism.getElements()) {
+        if (const MarkerForce* force = element.getForce())
+            for (const MarkerExpression* expression :
+                 findImplementation<MarkerForceImpl>(*force)->getExpressions())
+                watch.add(*expression);
+        if (!element.getGeneralConstraint()) continue;
+        const auto* constraint = findImplementation<GeneralConstraintImpl>(*element.getGeneralConstraint());
         watch.add(constraint->getCoordinate());
         if (constraint->getFunction()) watch.add(*constraint->getFunction());
     }
@@ -67,7 +68,7 @@ std::optional<TimeBreak> BreakWatch::findNext(Real after, Real until) {
 
 void BreakWatch::requireNoJump(const Mechanism& mechanism, const State& before, Real behind) {
     constexpr Real Rounding = 1e-9, Margin = 10, Later = 64;
-    if (mechanism.getEquations().empty()) return;
+    if (before.getNMultipliers() == 0) return;
     State state = before;
     mechanism.getSystem().realize(state, SimTK::Stage::Velocity);
     const SimTK::Vector positions = state.getQErr(), velocities = state.getUErr();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "expression/time_breaks.h"
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

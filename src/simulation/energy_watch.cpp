@@ -35,8 +35,8 @@ Real calcWorkOfLoads(const Mechanism& mechanism, const State& state) {
                  std::abs(~mechanism.getGravity() * part.cm.findPoseInGround(state).p()));
         size = std::max(size, part.size);
     }
-    for (const LoadElement& element : mechanism.getLoadElements()) {
-        if (element.isConstraint) continue;
+    for (const Element& element : mechanism.getElements()) {
+        if (!element.isForce()) continue;
         const SimTK::SpatialVec load = element.onI(state);
         work += load[0].norm() + size * load[1].norm();
     }
@@ -46,11 +46,13 @@ Real calcWorkOfLoads(const Mechanism& mechanism, const State& state) {
 // The powers of what may put energy in or take it out, each counted as positive.
 Real calcTurnover(const Mechanism& mechanism, const State& state) {
     Real turnover = 0;
-    for (const MarkerForce& force : mechanism.getForces())
-        turnover += std::abs(findImplementation<MarkerForceImpl>(force)->calcPower(state));
-    for (const Equation& equation : mechanism.getEquations())
-        if (!equation.constraint.isDisabled(state))
-            turnover += std::abs(equation.constraint.calcPower(state));
+    for (const Element& element : mechanism.getElements()) {
+        if (element.isDisabled(state)) continue;
+        if (const MarkerForce* force = element.getForce())
+            turnover += std::abs(findImplementation<MarkerForceImpl>(*force)->calcPower(state));
+        if (const GeneralConstraint* constraint = element.getGeneralConstraint())
+            turnover += std::abs(constraint->calcPower(state));
+    }
     return turnover;
 }
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 #include "jprim/simulation/simulate.h"
 
 namespace jprim {

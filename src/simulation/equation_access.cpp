@@ -13,20 +13,17 @@ using SimTK::Vec3;
 
 EquationAccess::EquationAccess(const Mechanism& mechanism, const ConstraintEquation& equation)
     : m_number(equation.number) {
-    const auto isIts = [&](const SimTK::Constraint& c) {
-        return c.getConstraintIndex() == equation.constraint;
-    };
-    for (const Connection& connection : mechanism.getConnections()) {
-        if (!connection.joint || !isIts(connection.joint->getConstraint())) continue;
-        if (const PairConstraint* pair = connection.joint->getPairConstraint())
-            m_pair = *pair;
+    for (const Element& element : mechanism.getElements()) {
+        const SimTK::Constraint* constraint = element.getConstraint();
+        if (!constraint || constraint->getConstraintIndex() != equation.constraint) continue;
+        const Joint* joint = element.getJoint();
+        if (joint && joint->getPairConstraint())
+            m_pair = *joint->getPairConstraint();
         else
-            m_general = *connection.joint->getGeneralConstraint();
+            m_general = joint ? *joint->getGeneralConstraint() : *element.getGeneralConstraint();
         return;
     }
-    for (const Equation& element : mechanism.getEquations())
-        if (isIts(element.constraint)) m_general = element.constraint;
-    if (!m_general) throw std::logic_error(equation.getText() + " is of no element");
+    throw std::logic_error(equation.getText() + " is of no element");
 }
 
 void EquationAccess::setScale(State& state, Real scale) const {
@@ -112,9 +109,8 @@ void multiplyScales(const Mechanism& mechanism, State& state,
 }  // namespace
 
 void setEquationScales(const Mechanism& mechanism, State& state) {
-    const auto& connections = mechanism.getConnections();
-    if (std::any_of(connections.begin(), connections.end(), [](const Connection& c) { return c.inTree; }))
-        return;
+    const ElementList& elements = mechanism.getElements();
+    if (std::any_of(elements.begin(), elements.end(), [](const Element& e) { return e.inTree; })) return;
     const std::vector<ConstraintEquation> equations = mechanism.findEquations(state);
     multiplyScales(mechanism, state, equations, calcFreeResponses(mechanism.getMatter(), state, equations));
 }

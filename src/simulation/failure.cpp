@@ -98,10 +98,11 @@ std::string rephrase(std::string text) {
 std::string findComplaint(const Mechanism& mechanism, State state) {
     try {
         mechanism.getSystem().realize(state, Stage::Position);
-        for (const Equation& equation : mechanism.getEquations()) {
-            if (equation.constraint.isDisabled(state)) continue;
-            const std::string problem = equation.constraint.findProblem(state);
-            if (!problem.empty()) return equation.name + ": " + problem;
+        for (const Element& element : mechanism.getElements()) {
+            const GeneralConstraint* constraint = element.getGeneralConstraint();
+            if (!constraint || constraint->isDisabled(state)) continue;
+            const std::string problem = constraint->findProblem(state);
+            if (!problem.empty()) return element.getName() + ": " + problem;
         }
     } catch (const Error& error) {
         return error.what();

@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

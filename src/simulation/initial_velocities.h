@@ -2,7 +2,7 @@
 #ifndef JPRIM_SRC_SIMULATION_INITIAL_VELOCITIES_H_
 #define JPRIM_SRC_SIMULATION_INITIAL_VELOCITIES_H_
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

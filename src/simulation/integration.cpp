@@ -35,8 +35,9 @@ Real calcLargestAngularVelocity(const Mechanism& mechanism, const State& state) 
 
 SwitchWatch::Source makeSwitches(const Mechanism& mechanism) {
     return [&mechanism](const State& state, std::vector<SwitchWatch::Switch>& switches) {
-        for (const MarkerForce& force : mechanism.getForces())
-            findImplementation<MarkerForceImpl>(force)->addSwitches(state, switches);
+        for (const Element& element : mechanism.getElements())
+            if (element.getForce() && !element.isDisabled(state))
+                findImplementation<MarkerForceImpl>(*element.getForce())->addSwitches(state, switches);
     };
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 #include "jprim/simulation/simulate.h"
 
 namespace jprim {

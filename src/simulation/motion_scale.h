@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

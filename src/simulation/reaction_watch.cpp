@@ -49,14 +49,14 @@ void ReactionWatch::check(const State& state) {
         size = std::max(size, part.size);
         m_largestLoad = std::max(m_largestLoad, calcLargestLoad(m_mechanism, part, state));
     }
-    for (const LoadElement& element : m_mechanism.getLoadElements()) {
-        if (!element.isConstraint) continue;
+    for (const Element& element : m_mechanism.getElements()) {
+        if (element.isForce() || !element.onI) continue;
         const SpatialVec reaction = element.onI(state);
         if (calcSize(reaction, size) <= LargestLever * m_largestLoad) continue;
         throw std::runtime_error(fmt::format(
             "the reaction at {} is {:.2g} times as large as any load, weight or inertia force of a part; nothing "
             "explains it",
-            element.name, calcSize(reaction, size) / m_largestLoad));
+            element.getName(), calcSize(reaction, size) / m_largestLoad));
     }
 }
 

@@ -2,7 +2,7 @@
 #ifndef JPRIM_SRC_SIMULATION_REACTION_WATCH_H_
 #define JPRIM_SRC_SIMULATION_REACTION_WATCH_H_
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

@@ -41,7 +41,7 @@ Recorder::Recorder(const Mechanism& mechanism, ResultSink& sink) : m_mechanism(m
     for (const Table* table : {&m_requests, &m_reactions, &m_parts})
         addGroup(*table, "", {{"time", second}}, [](const State& s, double* out) { *out = s.getTime(); });
     addRequests();
-    for (const LoadElement& element : m_mechanism.getLoadElements()) addReactions(element);
+    for (const Element& element : m_mechanism.getElements()) addReactions(element);
     for (const MechanismPart& part : m_mechanism.getParts()) {
         if (part.ground) continue;
         addPart(part);
@@ -189,12 +189,12 @@ void Recorder::addRequest(const MechanismRequest& request) {
 }
 
 //----------------------------------------------------------------------------- reactions, parts, energy
-void Recorder::addReactions(const LoadElement& element) {
-    if (!element.isConstraint) return;
+void Recorder::addReactions(const Element& element) {
+    if (element.isForce()) return;
     const double F = m_mechanism.getUnits().force, M = m_mechanism.getUnits().getMoment();
     const auto add = [&](const char* side, const LoadFunction& load) {
         if (!load) return;
-        addGroup(m_reactions, element.name + side,
+        addGroup(m_reactions, element.getName() + side,
                  {{"FX", F}, {"FY", F}, {"FZ", F}, {"TX", M}, {"TY", M}, {"TZ", M}},
                  [load](const State& s, double* out) {
                      const SpatialVec onMarker = load(s);

@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 #include "jprim/results/result_sink.h"
 #include "jprim/simulation/simulate.h"
 
@@ -53,7 +53,7 @@ private:
     void addRequests();
     void addRequest(const MechanismRequest& request);
     std::vector<std::string> nameComponents(const MechanismRequest& request);
-    void addReactions(const LoadElement& element);
+    void addReactions(const Element& element);
     void addPart(const MechanismPart& part);
     void addModes(const MechanismPart& part);
     void addEnergy();

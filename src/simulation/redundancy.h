@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jprim/analysis/constraint_report.h"
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 #include "simulation/equation_access.h"
 #include "simulation/violation.h"
 

@@ -56,16 +56,13 @@ void chooseTimes(const SimulateCommand& command, double start, SimulationOptions
 }
 
 // The elements of a kind in a range.
-std::vector<std::string> findElements(const Mechanism& mechanism, ElementKind kind, const IdRange& range) {
-    std::vector<std::string> names = mechanism.getSwitchableElements();
-    for (const MechanismSensor& sensor : mechanism.getSensors()) names.push_back(sensor.name);
-    const std::string prefix = std::string(getAdamsName(kind)) + "/";
-    std::vector<std::string> found;
-    for (const std::string& name : names) {
-        if (name.compare(0, prefix.size(), prefix) != 0) continue;
-        const int id = std::stoi(name.substr(prefix.size()));
-        if (range.first <= id && id <= range.last) found.push_back(name);
-    }
+std::vector<ElementId> findElements(const Mechanism& mechanism, ElementKind kind, const IdRange& range) {
+    std::vector<ElementId> found;
+    const auto add = [&](const ElementId& id) {
+        if (id.kind == kind && range.first <= id.number && id.number <= range.last) found.push_back(id);
+    };
+    for (const Element& element : mechanism.getElements()) add(element.id);
+    for (const MechanismSensor& sensor : mechanism.getSensors()) add(sensor.id);
     return found;
 }
 
@@ -130,11 +127,11 @@ private:
     void execute(const ActivateCommand& command) {
         start();
         for (const IdRange& range : command.ids)
-            for (const std::string& name : findElements(m_mechanism, command.kind, range)) {
+            for (const ElementId& id : findElements(m_mechanism, command.kind, range)) {
                 if (command.kind == ElementKind::Sensor)
-                    switchSensor(name, command.active);
+                    switchSensor(id, command.active);
                 else
-                    switchElement(name, command.active);
+                    switchElement(id, command.active);
             }
         m_switched = m_switched || command.kind != ElementKind::Sensor;
     }
@@ -177,19 +174,19 @@ private:
         m_sensors.assign(m_mechanism.getSensors().size(), SensorState::Armed);
     }
 
-    void switchElement(const std::string& name, bool active) {
-        const SimTK::Constraint constraint = m_mechanism.getConstraint(name);
+    void switchElement(const ElementId& id, bool active) {
+        const Element& element = m_mechanism.getElement(id);
         if (active)
-            constraint.enable(*m_state);
+            element.enable(*m_state);
         else
-            constraint.disable(*m_state);
+            element.disable(*m_state);
     }
 
     // One that is switched on is armed, whether it has fired before or not.
-    void switchSensor(const std::string& name, bool active) {
+    void switchSensor(const ElementId& id, bool active) {
         const std::vector<MechanismSensor>& sensors = m_mechanism.getSensors();
         for (size_t k = 0; k < sensors.size(); ++k)
-            if (sensors[k].name == name) m_sensors[k] = active ? SensorState::Armed : SensorState::Off;
+            if (sensors[k].id == id) m_sensors[k] = active ? SensorState::Armed : SensorState::Off;
     }
 
     const Mechanism& m_mechanism;

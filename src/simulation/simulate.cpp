@@ -169,7 +169,7 @@ private:
             if (m_stepper->getState().getTime() < time) watchEnergy();
         }
         if (!m_firing) return;
-        m_outcome.summary.endedBy = m_firing->name;
+        m_outcome.summary.endedBy = m_firing->id.getText();
         m_outcome.summary.isHalted = m_firing->halt;
     }
 

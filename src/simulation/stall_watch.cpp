@@ -74,10 +74,11 @@ private:
 
 std::string findJumpingForce(const Mechanism& mechanism, const State& state, Real moment) {
     mechanism.getSystem().realize(state, SimTK::Stage::Acceleration);
-    for (const MarkerForce& force : mechanism.getForces()) {
-        ForceNearby nearby(mechanism, force, state);
+    for (const Element& element : mechanism.getElements()) {
+        if (!element.getForce() || element.isDisabled(state)) continue;
+        ForceNearby nearby(mechanism, *element.getForce(), state);
         for (const Real there : {moment, -moment})
-            if (nearby.jumpsWithin(there)) return force.getName();
+            if (nearby.jumpsWithin(there)) return element.getName();
     }
     return "";
 }

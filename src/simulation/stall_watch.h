@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

@@ -49,7 +49,7 @@ void addMisfits(const Mechanism& mechanism, const State& given, Violation& viola
         Violation misfit;
         misfit.length = max((wanted.p() - fit.p()).abs());
         misfit.angle = std::abs((~fit.R() * wanted.R()).convertRotationToAngleAxis()[0]);
-        if (!part.attachment.elements.empty()) misfit.element = part.attachment.elements[0];
+        if (!part.attachment.elements.empty()) misfit.element = part.attachment.elements[0].getText();
         keepWorst(violation, misfit);
     }
 }

@@ -10,12 +10,8 @@ using SimTK::State;
 namespace {
 
 void countElements(CheckReport& report) {
-    for (const Connection& connection : report.model.mechanism->getConnections()) {
-        const std::string kind = connection.name.substr(0, connection.name.find('/'));
-        ++report.elements[kind][connection.type];
-    }
-    for (const Equation& equation : report.model.mechanism->getEquations())
-        ++report.elements[equation.name.substr(0, equation.name.find('/'))][""];
+    for (const Element& element : report.model.mechanism->getElements())
+        if (!element.isForce()) ++report.elements[getAdamsName(element.id.kind)][element.type];
 }
 
 State getGivenState(const Mechanism& mechanism) {
@@ -65,10 +61,13 @@ TreeReport makeTree(const Dataset& dataset) {
         if (part.ground) continue;
         const Attachment& a = part.attachment;
         const std::string parent = a.parent < 0 ? "ground" : parts[size_t(a.parent)].name;
-        tree.branches.push_back({part.name, parent, a.mobilizer, a.elements});
+        std::vector<std::string> elements;
+        for (const ElementId& id : a.elements) elements.push_back(id.getText());
+        tree.branches.push_back({part.name, parent, a.mobilizer, elements});
     }
-    for (const Connection& connection : mechanism->getConnections())
-        if (!connection.inTree) tree.equations.push_back(connection.name + " " + connection.type);
+    for (const Element& element : mechanism->getElements())
+        if (!element.type.empty() && !element.inTree)
+            tree.equations.push_back(element.getName() + " " + element.type);
     return tree;
 }
 

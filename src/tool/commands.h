@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "jprim/base/diagnostic.h"
-#include "jprim/build/build_mechanism.h"
 #include "jprim/dataset/commands.h"
+#include "jprim/mechanism/build_mechanism.h"
 #include "jprim/simulation/assemble.h"
 
 namespace jprim::tool {

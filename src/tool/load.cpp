@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "base/format.h"
-#include "jprim/build/find_mistakes.h"
 #include "jprim/dataset/read_dataset.h"
+#include "jprim/mechanism/find_mistakes.h"
 #include "jprim/simulation/run_commands.h"
 #include "tool/commands.h"
 
@@ -74,11 +74,11 @@ LoadedCommands loadCommands(const std::string& path, Formulation formulation) {
     if (hasErrors(diagnostics)) return loaded;
     std::filesystem::path model = std::filesystem::path(loaded.file.folder) / loaded.file.model;
     if (!model.has_extension()) model += ".adm";
-    const auto switches = [](const Command& command) {
+    const auto switchesConstraints = [](const Command& command) {
         const auto* const activate = std::get_if<ActivateCommand>(&command);
-        return activate && activate->kind != ElementKind::Sensor;
+        return activate && isConstraint(activate->kind);
     };
-    if (std::any_of(loaded.file.commands.begin(), loaded.file.commands.end(), switches))
+    if (std::any_of(loaded.file.commands.begin(), loaded.file.commands.end(), switchesConstraints))
         formulation = Formulation::Constraints;
     loaded.model = loadModel(model.string(), formulation);
     if (loaded.model.mechanism) {

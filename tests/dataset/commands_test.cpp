@@ -238,7 +238,8 @@ TEST(CommandMistakes, Simulations) {
 
 TEST(CommandMistakes, Switches) {
     checkMistakes({
-        {"no kind", "ACTIVATE/ID=1", "3:1: error: ACTIVATE needs a type: JPRIM, JOINT, GCON, MOTION, SENSOR"},
+        {"no kind", "ACTIVATE/ID=1", "3:1: error: ACTIVATE needs a type: JPRIM, JOINT, GCON, MOTION, COUPLER, SFORCE, "
+         "VFORCE, VTORQUE, GFORCE, SPRINGDAMPER, BUSHING, SENSOR"},
         {"no id", "DEACTIVATE/JPRIM", "3:1: error: DEACTIVATE needs ID= or RANGE="},
         {"two kinds", "DEACTIVATE/JPRIM, JOINT, ID=1",
          "3:19: error: DEACTIVATE cannot be both JPRIM and JOINT"},
@@ -248,8 +249,8 @@ TEST(CommandMistakes, Switches) {
          "3:19: error: RANGE of DEACTIVATE goes from 5 down to 3; write the smaller id first"},
         {"no number", "DEACTIVATE/JPRIM, ID=1,QQQ",
          "3:24: error: ID of DEACTIVATE: 'QQQ' is not an id; ids are whole numbers from 1"},
-        {"kind without a switch", "DEACTIVATE/SFORCE, ID=1",
-         "3:12: error: SFORCE of DEACTIVATE is not supported yet"},
+        {"kind without a switch", "DEACTIVATE/BEAM, ID=1",
+         "3:12: error: BEAM of DEACTIVATE is not supported yet"},
     });
 }
 

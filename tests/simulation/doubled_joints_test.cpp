@@ -63,13 +63,14 @@ Outcome runFor(const std::string& text, const Way& way, double end) {
     const auto last = [&](const std::string& column) {
         return run.results.reactions.getColumn(column).back();
     };
-    for (const Connection& joint : mechanism.getConnections()) {
+    for (const Element& joint : mechanism.getElements()) {
+        if (joint.type.empty()) continue;
         const auto get = [&](char kind) {
-            const std::string prefix = joint.name + ".I." + kind;
+            const std::string prefix = joint.getName() + ".I." + kind;
             return Vec3(last(prefix + "X"), last(prefix + "Y"), last(prefix + "Z"));
         };
         const Vec3 F = get('F'), at = mechanism.getMarker(joint.i).findPoseInGround(run.finalState).p();
-        outcome.loads[joint.name] = {get('T') + at % F, F};
+        outcome.loads[joint.getName()] = {get('T') + at % F, F};
     }
     return outcome;
 }

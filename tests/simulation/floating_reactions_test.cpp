@@ -83,7 +83,8 @@ TEST_P(FloatingReactions, AreReportedWithoutALever) {
     const Mechanism mechanism = build(write(c, jfloat));
     State state = assemble(mechanism).state;
     mechanism.getSystem().realize(state, Stage::Acceleration);
-    const LoadElement& element = mechanism.getLoadElements().back();
+    const ElementList& elements = mechanism.getElements();
+    const Element& element = elements[elements.size() - 1];
     EXPECT_GT(element.onI(state).norm(), 1);
     EXPECT_LT((element.onI(state) + element.onJ(state)).norm(), Rounding);
 }

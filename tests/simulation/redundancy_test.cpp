@@ -216,7 +216,7 @@ TEST(Redundancy, RoundingErrorsAreNoIndependence) {
 TEST(SingleEquation, IsDroppedAndRestored) {
     const Mechanism mechanism = buildOrFail(Door);
     State state = assemble(mechanism).state;
-    const PairConstraint& ball = *mechanism.getConnections()[0].joint->getPairConstraint();
+    const PairConstraint& ball = *mechanism.getElements()[0].getJoint()->getPairConstraint();
     ball.dropEquation(state, 1);
     EXPECT_TRUE(ball.isEquationDropped(state, 1));
     EXPECT_FALSE(ball.isEquationDropped(state, 0));

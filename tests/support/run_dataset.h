@@ -6,8 +6,8 @@
 
 #include <cstdlib>
 
-#include "jprim/build/build_mechanism.h"
 #include "jprim/dataset/read_dataset.h"
+#include "jprim/mechanism/build_mechanism.h"
 #include "jprim/simulation/simulate.h"
 
 namespace jprim::testing {

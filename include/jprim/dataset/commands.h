@@ -10,6 +10,7 @@
 
 #include "jprim/base/diagnostic.h"
 #include "jprim/dataset/dataset.h"
+#include "jprim/dataset/element_id.h"
 
 /// @file
 /// A command file of Adams/Solver (.acf) as plain values: which model to load, and what to do with it.
@@ -38,9 +39,6 @@ struct SimulateCommand {
     /// How far InitialConditions go: to displacements, also to velocities, also to accelerations.
     KinematicLevel level = KinematicLevel::Acceleration;
 };
-
-/// The kinds of statement that can be switched off and on.
-enum class ElementKind { Jprim, Joint, Gcon, Motion, Sensor };
 
 /// The ids from `first` to `last`, both included. One id if they are equal; else those of them that exist.
 struct IdRange {
@@ -80,8 +78,6 @@ CommandFile readCommands(std::string_view text, Diagnostics& diagnostics);
 /// position.
 CommandFile readCommandFile(const std::string& path, Diagnostics& diagnostics);
 
-/// The keyword of a statement that can be switched: "JPRIM".
-const char* getAdamsName(ElementKind kind);
 /// Adams' word for an analysis, in full: "INITIAL_CONDITIONS".
 const char* getAdamsName(Analysis analysis);
 

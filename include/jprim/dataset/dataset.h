@@ -3,6 +3,7 @@
 #define JPRIM_DATASET_DATASET_H_
 
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -205,8 +206,8 @@ struct Dataset {
     std::vector<RequestStatement> requests;
     std::vector<IgnoredStatement> ignored;
     StatementCounts counts;
-    /// Statements with errors, by name: "MARKER/12". Most are in none of the lists, but others may still name them.
-    std::set<std::string> faulty;
+    /// The ids of statements with errors, by keyword. Most are in none of the lists, but others may still name them.
+    std::map<std::string, std::set<int>> faulty;
 };
 
 /// True if both say the same. How reading went (`where`, the folder, counts, faulty) is no part of what a dataset says.

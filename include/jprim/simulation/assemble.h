@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jprim/base/error.h"
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

@@ -2,7 +2,7 @@
 #ifndef JPRIM_SIMULATION_EQUILIBRIUM_H_
 #define JPRIM_SIMULATION_EQUILIBRIUM_H_
 
-#include "jprim/build/mechanism.h"
+#include "jprim/mechanism/mechanism.h"
 
 namespace jprim {
 

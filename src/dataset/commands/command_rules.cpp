@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/format.h"
+#include "dataset/element_kinds.h"
 #include "dataset/fields.h"
 
 namespace jprim {
@@ -121,21 +122,9 @@ void readSimulate(StatementReader& reader, CommandState& commands) {
 }
 
 //------------------------------------------------------------------------------ ACTIVATE and DEACTIVATE
-const SpellingTable<ElementKind>& getElementKinds() {
-    using E = ElementKind;
-    static const SpellingTable<E> kinds = {{E::Jprim, "JPRIM", 2},
-                                           {E::Joint, "JOINT"},
-                                           {E::Gcon, "GCON", 2},
-                                           {E::Motion, "MOTION"},
-                                           {E::Sensor, "SENSOR", 2}};
-    return kinds;
-}
-
 std::vector<Field<ActivateCommand>> unsupportedFields() {
-    constexpr Word names[] = {{"BEAM", 2},         {"BUSHING", 2}, {"CLEARANCE", 2}, {"CONTACT", 3},
-                              {"COUPLER", 3},      {"FIELD", 3},   {"FRICTION", 2},  {"GFORCE", 2},
-                              {"NFORCE"},          {"PTCV"},       {"CVCV", 2},      {"SFORCE", 2},
-                              {"SPRINGDAMPER", 2}, {"VFORCE", 2},  {"VTORQUE", 2}};
+    constexpr Word names[] = {{"BEAM", 2},     {"CLEARANCE", 2}, {"CONTACT", 3}, {"FIELD", 3},
+                              {"FRICTION", 2}, {"NFORCE"},       {"PTCV"},       {"CVCV", 2}};
     std::vector<Field<ActivateCommand>> fields;
     for (const Word& word : names)
         fields.emplace_back(ArgumentRule(word.name, Kind::Unsupported, word.minimum));
@@ -185,10 +174,6 @@ const std::vector<CommandRule>& getCommandRules() {
                                                    {"ACTIVATE", 3, readActivate},
                                                    {"DEACTIVATE", 3, readDeactivate}};
     return rules;
-}
-
-const char* getAdamsName(ElementKind kind) {
-    return getElementKinds().getName(kind).data();
 }
 
 const char* getAdamsName(Analysis analysis) {
