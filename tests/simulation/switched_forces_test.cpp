@@ -43,8 +43,7 @@ TEST_P(SwitchedForces, LoadOnlyWhileTheyAreOn) {
                            "SIMULATE/DYNAMICS, END=1, STEPS=1\nACTIVATE/" + element +
                            "SIMULATE/DYNAMICS, END=1.3, STEPS=1\n");
     EXPECT_EQ(outcome.failure, "");
-    const std::vector<double> speed =
-        outcome.results.parts.getColumn(c.turns ? "PART/2.WX" : "PART/2.VX");
+    const std::vector<double> speed = outcome.results.parts.getColumn(c.turns ? "PART/2.WX" : "PART/2.VX");
     const double a = Load / (c.turns ? Moment : Mass);
     ASSERT_EQ(speed.size(), 6u);  // the moments of switching twice
     EXPECT_NEAR(speed[1], a * 0.4, Exact);
