@@ -36,6 +36,11 @@ inline SimTK::Vec3 toVec3(const Eigen::Vector3d& v) {
     return {v[0], v[1], v[2]};
 }
 
+inline SimTK::Matrix toSimTKMatrix(const Eigen::MatrixXd& m) {
+    const Eigen::MatrixXd byRow = m.transpose();  // as Simbody reads it
+    return SimTK::Matrix(int(m.rows()), int(m.cols()), byRow.data());
+}
+
 inline SimTK::Vector toSimTK(const Eigen::VectorXd& v) {
     return SimTK::Vector(int(v.size()), v.data());
 }

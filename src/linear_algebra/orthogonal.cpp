@@ -3,6 +3,8 @@
 
 #include <Eigen/QR>
 
+#include "linear_algebra/singular_values.h"
+
 namespace jprim {
 
 using Eigen::MatrixXd;
@@ -15,7 +17,12 @@ VectorXd solveLeastNorm(const MatrixXd& A, const VectorXd& b, double threshold) 
 }
 
 Eigen::Matrix3d calcPseudoInverse(const Eigen::Matrix3d& A) {
-    return Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3d>(A).pseudoInverse();
+    constexpr double Rounding = 1e-15;
+    const SingularValues svd = decompose(A);
+    VectorXd inverse = VectorXd::Zero(3);
+    for (int k = 0; k < 3; ++k)
+        if (svd.values[k] > Rounding * svd.values[0]) inverse[k] = 1 / svd.values[k];
+    return svd.V * inverse.asDiagonal() * svd.U.transpose();
 }
 
 MatrixXd completeBasis(const MatrixXd& A) {
