@@ -6,11 +6,10 @@
 
 #include <algorithm>
 
-#include "linear_algebra/equations.h"
+#include "linear_algebra/sparse_factor.h"
 
 namespace jprim {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using SimTK::State;
 
@@ -18,19 +17,20 @@ namespace {
 
 constexpr double LongestStep = 0.3;  // of a scaled motion's entries: about radians, or sizes of the mechanism
 
-VectorXd calcStep(const MatrixXd& A, const MatrixXd& AAt, const VectorXd& errors, double mu) {
-    const MatrixXd regular = AAt + mu * MatrixXd::Identity(A.rows(), A.rows());
-    const VectorXd y = -A.transpose() * solveSymmetric(regular, errors);
+VectorXd calcStep(const SparseMatrix& A, const SparseMatrix& AAt, const VectorXd& errors, double mu) {
+    SparseFactor regular;
+    regular.compute(AAt + mu * SparseMatrix(VectorXd::Ones(A.rows()).asDiagonal()));
+    const VectorXd y = -A.transpose() * regular.solve(errors);
     return y * std::min(1., LongestStep / std::max(calcLargest(y), SimTK::TinyReal));
 }
 
 // One step down; false if there is none. The damping is what the next step should start from.
 bool descend(const ScaledEquations& equations, double& damping, ErrorMinimum& minimum) {
     constexpr double Stationary = 1e-10, LargestDamping = 1e6, Factor = 10;
-    const MatrixXd A = equations.calcJacobian(minimum.state);
+    const SparseMatrix A = equations.calcJacobian(minimum.state).sparseView();
     const double size = minimum.errors.norm(), least = calcLeastDamping(size);
     if ((A.transpose() * minimum.errors).norm() <= Stationary * size) return false;
-    const MatrixXd AAt = A * A.transpose();
+    const SparseMatrix AAt = A * A.transpose();
     for (; damping < LargestDamping; damping *= Factor) {
         const VectorXd u = equations.getColumnScale().cwiseProduct(
             calcStep(A, AAt, minimum.errors, std::max(damping * size, least)));
