@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "analysis/body_jacobian.h"
+
 namespace jprim {
 
 using Eigen::MatrixXd;
@@ -49,31 +51,19 @@ class Powers {
 public:
     Powers(const SimbodyMatterSubsystem& matter, const State& state,
            const std::vector<ConstraintEquation>& equations)
-        : m_loads(equations.size()), m_onMobilities(int(equations.size()), state.getNU()) {
-        SimTK::Vector multipliers(state.getNMultipliers(), SimTK::Real(0)), mobilityForces;
-        SimTK::Vector_<SpatialVec> bodyForces;
-        for (size_t i = 0; i < equations.size(); ++i) {
-            const auto multiplier = equations[i].multiplier;
-            multipliers[multiplier] = 1;
-            matter.calcConstraintForcesFromMultipliers(state, multipliers, bodyForces, mobilityForces);
-            multipliers[multiplier] = 0;
-            for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b)
-                if (bodyForces[b].norm() > 0) m_loads[i].push_back({b, bodyForces[b]});
-            for (int j = 0; j < mobilityForces.size(); ++j) m_onMobilities(int(i), j) = mobilityForces[j];
-        }
-    }
+        : m_loads(calcEquationLoads(matter, state, equations)), m_numSpeeds(state.getNU()) {}
 
     // Coordinates with loads of their own count as what they move. What rounding leaves of a shift does not count.
     RowSizes measureRows(const Mobilities& sizes) const {
-        RowSizes rows{VectorXd::Zero(m_onMobilities.rows()), VectorXd::Zero(m_onMobilities.rows())};
+        RowSizes rows{VectorXd::Zero(int(m_loads.size())), VectorXd::Zero(int(m_loads.size()))};
         for (int i = 0; i < rows.turn.size(); ++i) {
             double turn = 0, shift = 0;
-            for (const auto& [body, F] : m_loads[size_t(i)]) {
+            for (const auto& [body, F] : m_loads[size_t(i)].onBodies) {
+                if (body == SimTK::GroundIndex) continue;
                 turn += F[0].normSqr();
                 shift += F[1].normSqr();
             }
-            for (int j = 0; j < m_onMobilities.cols(); ++j) {
-                const double f = m_onMobilities(i, j);
+            for (const auto& [j, f] : m_loads[size_t(i)].onSpeeds) {
                 if (sizes.angular[j] > 0) turn += SimTK::square(f / sizes.angular[j]);
                 if (sizes.linear[j] > 0) shift += SimTK::square(f / sizes.linear[j]);
             }
@@ -85,23 +75,25 @@ public:
 
     // The sum of the sizes of all powers in each entry of G.
     MatrixXd measureEntries(const SimbodyMatterSubsystem& matter, const State& state) const {
-        MatrixXd sizes = m_onMobilities.cwiseAbs();
-        SimTK::Vector u(state.getNU(), SimTK::Real(0));
+        MatrixXd sizes = MatrixXd::Zero(int(m_loads.size()), m_numSpeeds);
+        for (int i = 0; i < sizes.rows(); ++i)
+            for (const auto& [j, f] : m_loads[size_t(i)].onSpeeds) sizes(i, j) = std::abs(f);
+        SimTK::Vector u(m_numSpeeds, SimTK::Real(0));
         SimTK::Vector_<SpatialVec> V;
         for (int j = 0; j < sizes.cols(); ++j) {
             u[j] = 1;
             matter.multiplyBySystemJacobian(state, u, V);
             u[j] = 0;
             for (int i = 0; i < sizes.rows(); ++i)
-                for (const auto& [body, F] : m_loads[size_t(i)])
+                for (const auto& [body, F] : m_loads[size_t(i)].onBodies)
                     sizes(i, j) += V[body][0].norm() * F[0].norm() + V[body][1].norm() * F[1].norm();
         }
         return sizes;
     }
 
 private:
-    std::vector<std::vector<std::pair<SimTK::MobilizedBodyIndex, SpatialVec>>> m_loads;  // of each equation
-    MatrixXd m_onMobilities;
+    std::vector<EquationLoads> m_loads;
+    int m_numSpeeds;
 };
 
 // The root mean square of all levers: what an equation says about a turn by what it says about a shift.
@@ -141,15 +133,14 @@ void ScaledEquations::realize(const State& state) const {
 
 MatrixXd ScaledEquations::calcCleanJacobian(const State& state) const {
     realize(state);
-    SimTK::Matrix G;
-    m_matter.calcG(state, G);
-    MatrixXd A(int(m_equations.size()), state.getNU());
-    for (int i = 0; i < A.rows(); ++i)
-        for (int j = 0; j < A.cols(); ++j) {
-            const double entry = G(m_equations[size_t(i)].multiplier, j);
-            A(i, j) = std::abs(entry) > m_noise(i, j) ? entry : 0;
-        }
-    return A;
+    const BodyJacobian bodies(m_matter, state);
+    BodyJacobian::Triplets entries;
+    int row = 0;
+    for (const EquationLoads& loads : calcEquationLoads(m_matter, state, m_equations))
+        bodies.addRow(loads, 1, row++, entries);
+    MatrixXd A = MatrixXd::Zero(int(m_equations.size()), state.getNU());
+    for (const Eigen::Triplet<double>& entry : entries) A(entry.row(), entry.col()) += entry.value();
+    return (A.array().abs() > m_noise.array()).select(A, 0);
 }
 
 MatrixXd ScaledEquations::calcJacobian(const State& state) const {

@@ -12,20 +12,29 @@ using Simplicial = Eigen::SimplicialLDLT<SparseMatrix>;
 
 struct SparseFactor::Implementation {
     Simplicial factor;
+    bool isDiagonal = false;
+    VectorXd inverse;  // of a diagonal matrix
 };
 
 SparseFactor::SparseFactor() : m_implementation(std::make_unique<Implementation>()) {}
 SparseFactor::~SparseFactor() = default;
 
 void SparseFactor::compute(const SparseMatrix& A) {
-    m_implementation->factor.compute(A);
+    const VectorXd diagonal = A.diagonal();
+    m_implementation->isDiagonal = A.nonZeros() == A.cols() && (diagonal.array() != 0).all();
+    if (m_implementation->isDiagonal)
+        m_implementation->inverse = diagonal.cwiseInverse();
+    else
+        m_implementation->factor.compute(A);
 }
 
 VectorXd SparseFactor::solve(const VectorXd& b) const {
+    if (m_implementation->isDiagonal) return m_implementation->inverse.cwiseProduct(b);
     return m_implementation->factor.solve(b);
 }
 
 SparseMatrix SparseFactor::solve(const SparseMatrix& B) const {
+    if (m_implementation->isDiagonal) return m_implementation->inverse.asDiagonal() * B;
     return m_implementation->factor.solve(B);
 }
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/position_condition.h"
+
 namespace jprim {
 
 using Eigen::VectorXd;
@@ -70,7 +72,7 @@ Eigen::SparseMatrix<double> Closeness::calcJacobian(const State& state, const Bo
             Vec3 axis(0);
             axis[k] = 1;
             goal.marker.applyLoad(state, SpatialVec(Vec3(0), axis), directions.onBodies, directions.onSpeeds);
-            bodies.addRow(directions, std::sqrt(goal.weight), row, entries);
+            bodies.addRow(directions.getNonzero(), std::sqrt(goal.weight), row, entries);
         }
     Eigen::SparseMatrix<double> jacobian(row, state.getNU());
     jacobian.setFromTriplets(entries.begin(), entries.end());
@@ -85,12 +87,13 @@ Real Closeness::calcLargestTurn(const State& state, const VectorXd& u) const {
     return largest;
 }
 
-Real Closeness::calcSize(const SimTK::Vector_<SpatialVec>& onBodies) const {
+Real Closeness::calcSize(const EquationLoads& loads) const {
     Real sum = 0;
-    for (const PoseGoal& goal : m_poses) {
-        const SpatialVec& load = onBodies[goal.body];
-        if (goal.weight > 0)
-            sum += (load[0].normSqr() + SimTK::square(goal.size) * load[1].normSqr()) / goal.weight;
+    for (const auto& [body, F] : loads.onBodies) {
+        const auto goal = m_goalOfBody.find(body);
+        if (goal == m_goalOfBody.end()) continue;
+        const auto& [weight, size] = goal->second;
+        if (weight > 0) sum += (F[0].normSqr() + SimTK::square(size) * F[1].normSqr()) / weight;
     }
     return std::sqrt(sum);
 }

@@ -3,9 +3,11 @@
 #define JPRIM_SRC_SIMULATION_CLOSENESS_H_
 
 #include <Eigen/SparseCore>
+#include <map>
+#include <utility>
 
+#include "analysis/body_jacobian.h"
 #include "jprim/simulation/assemble_system.h"
-#include "simulation/body_jacobian.h"
 
 namespace jprim {
 
@@ -15,7 +17,9 @@ class Closeness {
 public:
     Closeness(const SimTK::SimbodyMatterSubsystem& matter, std::vector<PoseGoal> poses,
               std::vector<MarkerGoal> markers = {})
-        : m_matter(matter), m_poses(std::move(poses)), m_markers(std::move(markers)) {}
+        : m_matter(matter), m_poses(std::move(poses)), m_markers(std::move(markers)) {
+        for (const PoseGoal& goal : m_poses) m_goalOfBody[goal.body] = {goal.weight, goal.size};
+    }
 
     SimTK::Real calcValue(const SimTK::State& state) const;
     /// The gradient of phi by speeds is ~J r. Requires Stage::Position.
@@ -27,12 +31,13 @@ public:
 
     /// How far a load's equation is moved by what costs |r| = 1: the size of an equation, whatever tree the bodies
     /// hang in. Bodies without a goal do not count.
-    SimTK::Real calcSize(const SimTK::Vector_<SimTK::SpatialVec>& onBodies) const;
+    SimTK::Real calcSize(const EquationLoads& loads) const;
 
 private:
     const SimTK::SimbodyMatterSubsystem& m_matter;
     std::vector<PoseGoal> m_poses;
     std::vector<MarkerGoal> m_markers;
+    std::map<SimTK::MobilizedBodyIndex, std::pair<SimTK::Real, SimTK::Real>> m_goalOfBody;  // weight and size
 };
 
 }  // namespace jprim

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/equation_loads.h"
+
 namespace jprim {
 
 using SimTK::Real;
@@ -36,27 +38,37 @@ Real EquationAccess::calcError(const State& state) const {
 
 namespace {
 
+// Of each speed, as if its body moved alone.
+std::vector<Real> calcInertias(const SimTK::SimbodyMatterSubsystem& matter, const State& state) {
+    std::vector<Real> inertias(size_t(state.getNU()));
+    for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b) {
+        const SimTK::MobilizedBody& body = matter.getMobilizedBody(b);
+        for (SimTK::MobilizerUIndex k(0); k < body.getNumU(state); ++k) {
+            const SimTK::SpatialVec H = body.getHCol(state, k);
+            inertias[size_t(body.getFirstUIndex(state) + k)] =
+                ~H * (body.getBodySpatialInertiaInGround(state) * H);
+        }
+    }
+    return inertias;
+}
+
 // What a load does to bodies and mobilities as if they hung on nothing: the acceleration along it.
 Real calcFreeResponse(const SimTK::SimbodyMatterSubsystem& matter, const State& state,
-                      const SimTK::Vector_<SimTK::SpatialVec>& onBodies, const SimTK::Vector& onMobilities) {
+                      const std::vector<Real>& inertias, const EquationLoads& loads) {
     Real response = 0;
-    for (SimTK::MobilizedBodyIndex b(1); b < matter.getNumBodies(); ++b) {
+    for (const auto& [b, load] : loads.onBodies) {
+        if (b == SimTK::GroundIndex) continue;
         const SimTK::MobilizedBody& body = matter.getMobilizedBody(b);
         const SimTK::MassProperties& mass = body.getBodyMassProperties(state);
         const SimTK::Rotation& R_GB = body.getBodyRotation(state);
-        const SimTK::SpatialVec F = SimTK::shiftForceBy(onBodies[b], R_GB * mass.getMassCenter());
+        const SimTK::SpatialVec F = SimTK::shiftForceBy(load, R_GB * mass.getMassCenter());
         if (mass.getMass() > 0) response += F[1].normSqr() / mass.getMass();
         const Vec3 moment = ~R_GB * F[0];
         const Real turning = ~moment * (mass.calcCentralInertia().toMat33() * moment);
         if (turning > 0) response += SimTK::square(moment.normSqr()) / turning;
-        for (SimTK::MobilizerUIndex k(0); k < body.getNumU(state); ++k) {
-            const Real f = onMobilities[body.getFirstUIndex(state) + k];
-            if (f == 0) continue;
-            const SimTK::SpatialVec H = body.getHCol(state, k);
-            const Real inertia = ~H * (body.getBodySpatialInertiaInGround(state) * H);
-            if (inertia > 0) response += f * f / inertia;
-        }
     }
+    for (const auto& [speed, f] : loads.onSpeeds)
+        if (inertias[size_t(speed)] > 0) response += f * f / inertias[size_t(speed)];
     return response;
 }
 
@@ -76,14 +88,9 @@ void weighErrors(const Mechanism& mechanism, State& state) {
 std::vector<Real> calcFreeResponses(const SimTK::SimbodyMatterSubsystem& matter, const State& state,
                                     const std::vector<ConstraintEquation>& equations) {
     std::vector<Real> responses;
-    SimTK::Vector multipliers(matter.getNMultipliers(state), Real(0)), onMobilities;
-    SimTK::Vector_<SimTK::SpatialVec> onBodies;
-    for (const ConstraintEquation& equation : equations) {
-        multipliers[equation.multiplier] = 1;
-        matter.calcConstraintForcesFromMultipliers(state, multipliers, onBodies, onMobilities);
-        multipliers[equation.multiplier] = 0;
-        responses.push_back(calcFreeResponse(matter, state, onBodies, onMobilities));
-    }
+    const std::vector<Real> inertias = calcInertias(matter, state);
+    for (const EquationLoads& loads : calcEquationLoads(matter, state, equations))
+        responses.push_back(calcFreeResponse(matter, state, inertias, loads));
     return responses;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "SimTKsimbody.h"
+#include "analysis/equation_loads.h"
 
 namespace jprim {
 
@@ -14,6 +15,8 @@ struct Directions {
     Directions(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state)
         : onBodies(matter.getNumBodies(), SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0))),
           onSpeeds(state.getNU(), SimTK::Real(0)) {}
+
+    [[nodiscard]] EquationLoads getNonzero() const;
 
     SimTK::Vector_<SimTK::SpatialVec> onBodies;
     SimTK::Vector onSpeeds;

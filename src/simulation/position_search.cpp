@@ -60,36 +60,28 @@ PositionSearch::PositionSearch(PositionProblem problem, const State& start) : m_
 }
 
 //--------------------------------------------------------------------------------- errors and their rows
-// Calls use(directions) for each row in turn: an equation's load by a multiplier of 1, a condition's directions.
-template <class Use>
-void PositionSearch::forEachRow(const State& state, const Use& use) const {
+// Of the equations, then of the conditions.
+std::vector<EquationLoads> PositionSearch::calcRows(const State& state) const {
     realize(state);
-    SimTK::Vector multipliers(state.getNMultipliers(), Real(0));
-    Directions directions(m_problem.matter, state);
-    for (const ConstraintEquation& equation : m_problem.equations) {
-        multipliers[equation.multiplier] = 1;
-        m_problem.matter.calcConstraintForcesFromMultipliers(state, multipliers, directions.onBodies,
-                                                             directions.onSpeeds);
-        multipliers[equation.multiplier] = 0;
-        use(directions);
-    }
+    std::vector<EquationLoads> rows = calcEquationLoads(m_problem.matter, state, m_problem.equations);
     for (const auto& condition : m_problem.conditions) {
         const int count = condition->calcErrors(state).size();
         for (int i = 0; i < count; ++i) {
-            directions = Directions(m_problem.matter, state);
+            Directions directions(m_problem.matter, state);
             condition->addDirections(state, i, directions);
-            use(directions);
+            rows.push_back(directions.getNonzero());
         }
     }
+    return rows;
 }
 
 // An equation that moves nothing keeps its own unit.
 void PositionSearch::chooseScales(const State& start) {
     constexpr double Nothing = 1e-12;
-    forEachRow(start, [this](const Directions& directions) {
-        const double size = m_problem.closeness.calcSize(directions.onBodies);
+    for (const EquationLoads& row : calcRows(start)) {
+        const double size = m_problem.closeness.calcSize(row);
         m_scales.push_back(size > Nothing ? 1 / size : 1);
-    });
+    }
     size_t row = 0;
     for (; row < m_problem.equations.size(); ++row) m_scales[row] *= m_problem.emphasisOfEquations;
     for (size_t c = 0; c < m_problem.emphasisOfConditions.size(); ++c)
@@ -123,11 +115,11 @@ double PositionSearch::calcWorst(const State& state) const {
 
 SparseMatrix PositionSearch::calcJacobian(const State& state, const BodyJacobian& bodies) const {
     BodyJacobian::Triplets entries;
-    int row = 0;
-    forEachRow(state, [&](const Directions& directions) {
-        bodies.addRow(directions, m_scales[size_t(row)], row, entries);
-        ++row;
-    });
+    int number = 0;
+    for (const EquationLoads& row : calcRows(state)) {
+        bodies.addRow(row, m_scales[size_t(number)], number, entries);
+        ++number;
+    }
     SparseMatrix A(Eigen::Index(m_scales.size()), state.getNU());
     A.setFromTriplets(entries.begin(), entries.end());
     return A;

@@ -55,8 +55,7 @@ private:
     using Vector = Eigen::VectorXd;
 
     Vector calcErrors(const SimTK::State& state) const;
-    template <class Use>
-    void forEachRow(const SimTK::State& state, const Use& use) const;
+    std::vector<EquationLoads> calcRows(const SimTK::State& state) const;
     Eigen::SparseMatrix<double> calcJacobian(const SimTK::State& state, const BodyJacobian& bodies) const;
     void chooseScales(const SimTK::State& start);
     void linearize(const SimTK::State& state, Linearization& linearization) const;

@@ -238,7 +238,8 @@ TEST(CommandMistakes, Simulations) {
 
 TEST(CommandMistakes, Switches) {
     checkMistakes({
-        {"no kind", "ACTIVATE/ID=1", "3:1: error: ACTIVATE needs a type: JPRIM, JOINT, GCON, MOTION, COUPLER, SFORCE, "
+        {"no kind", "ACTIVATE/ID=1",
+         "3:1: error: ACTIVATE needs a type: JPRIM, JOINT, GCON, MOTION, COUPLER, SFORCE, "
          "VFORCE, VTORQUE, GFORCE, SPRINGDAMPER, BUSHING, SENSOR"},
         {"no id", "DEACTIVATE/JPRIM", "3:1: error: DEACTIVATE needs ID= or RANGE="},
         {"two kinds", "DEACTIVATE/JPRIM, JOINT, ID=1",

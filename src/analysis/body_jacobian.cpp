@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/body_jacobian.h"
+#include "analysis/body_jacobian.h"
 
 namespace jprim {
 
@@ -23,15 +23,11 @@ BodyJacobian::BodyJacobian(const SimTK::SimbodyMatterSubsystem& matter, const Si
     }
 }
 
-void BodyJacobian::addRow(const Directions& directions, double factor, int row, Triplets& entries) const {
-    for (int j = 0; j < directions.onSpeeds.size(); ++j)
-        if (directions.onSpeeds[j] != 0) entries.emplace_back(row, j, factor * directions.onSpeeds[j]);
-    for (size_t b = 1; b < m_columns.size(); ++b) {
-        const SpatialVec& direction = directions.onBodies[int(b)];
-        if (direction[0] == Vec3(0) && direction[1] == Vec3(0)) continue;
-        for (const auto& [speed, V] : m_columns[b])
-            entries.emplace_back(row, speed, factor * (~direction[0] * V[0] + ~direction[1] * V[1]));
-    }
+void BodyJacobian::addRow(const EquationLoads& loads, double factor, int row, Triplets& entries) const {
+    for (const auto& [speed, f] : loads.onSpeeds) entries.emplace_back(row, speed, factor * f);
+    for (const auto& [body, F] : loads.onBodies)
+        for (const auto& [speed, V] : m_columns[size_t(body)])
+            entries.emplace_back(row, speed, factor * (~F[0] * V[0] + ~F[1] * V[1]));
 }
 
 void BodyJacobian::addBody(MobilizedBodyIndex body, double turnFactor, double shiftFactor, int row,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef JPRIM_SRC_SIMULATION_BODY_JACOBIAN_H_
-#define JPRIM_SRC_SIMULATION_BODY_JACOBIAN_H_
+#ifndef JPRIM_SRC_ANALYSIS_BODY_JACOBIAN_H_
+#define JPRIM_SRC_ANALYSIS_BODY_JACOBIAN_H_
 
 #include <Eigen/SparseCore>
 #include <utility>
 #include <vector>
 
-#include "simulation/position_condition.h"
+#include "analysis/equation_loads.h"
 
 namespace jprim {
 
@@ -19,8 +19,8 @@ public:
     /// Requires Stage::Position.
     BodyJacobian(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state);
 
-    /// Adds a row that multiplies u to a sum of directions, times a factor.
-    void addRow(const Directions& directions, double factor, int row, Triplets& entries) const;
+    /// Adds a row that multiplies u to the sum of F . V and f u, times a factor.
+    void addRow(const EquationLoads& loads, double factor, int row, Triplets& entries) const;
     /// Adds the six rows of V of a body, those of v times another factor than those of w.
     void addBody(SimTK::MobilizedBodyIndex body, double turnFactor, double shiftFactor, int row,
                  Triplets& entries) const;
