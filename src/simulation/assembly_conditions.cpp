@@ -140,11 +140,20 @@ void GivenCoordinate::addDirections(const State& state, int, Directions& directi
     addCoordinateDirections(m_given.coordinate.getImplementation(), state, directions);
 }
 
+bool isSwitchedOff(const Mechanism& mechanism, const std::string& element, const State& state) {
+    for (const Connection& connection : mechanism.getConnections())
+        if (connection.name == element)
+            return connection.joint && connection.joint->getConstraint().isDisabled(state);
+    for (const Equation& equation : mechanism.getEquations())
+        if (equation.name == element) return equation.constraint.isDisabled(state);
+    return false;
+}
+
 std::vector<MissedCoordinate> findMissedInitial(const Mechanism& mechanism, const State& state,
                                                 Real tolerance) {
     std::vector<MissedCoordinate> missed;
     for (const InitialCoordinate& given : mechanism.getInitialCoordinates()) {
-        if (!given.value) continue;
+        if (!given.value || isSwitchedOff(mechanism, given.name, state)) continue;
         const Real amount = std::abs(GivenCoordinate(given).calcErrors(state)[0]);
         if (amount > tolerance) missed.push_back({given.name, "initial value", amount, given.dimension});
     }
@@ -152,10 +161,11 @@ std::vector<MissedCoordinate> findMissedInitial(const Mechanism& mechanism, cons
     return missed;
 }
 
-PositionConditions makeInitialConditions(const Mechanism& mechanism) {
+PositionConditions makeInitialConditions(const Mechanism& mechanism, const State& state) {
     PositionConditions conditions;
     for (const InitialCoordinate& given : mechanism.getInitialCoordinates())
-        if (given.value) conditions.push_back(std::make_shared<GivenCoordinate>(given));
+        if (given.value && !isSwitchedOff(mechanism, given.name, state))
+            conditions.push_back(std::make_shared<GivenCoordinate>(given));
     return conditions;
 }
 

@@ -63,7 +63,10 @@ private:
 };
 
 PositionConditions makeExactConditions(const Mechanism& mechanism);
-PositionConditions makeInitialConditions(const Mechanism& mechanism);
+PositionConditions makeInitialConditions(const Mechanism& mechanism, const SimTK::State& state);
+
+/// True of an element that is switched off in a State: what is given for its coordinate does not count.
+bool isSwitchedOff(const Mechanism& mechanism, const std::string& element, const SimTK::State& state);
 
 /// The coordinates that EXACT names and the State misses by more than `tolerance` [sizes of the part, rad]; the
 /// worst first.

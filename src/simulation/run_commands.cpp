@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -85,7 +86,10 @@ void checkSwitched(const Mechanism& mechanism, const ActivateCommand& command, D
 class CommandRun {
 public:
     CommandRun(const Mechanism& mechanism, const SimulationOptions& options, ResultSink& sink)
-        : m_mechanism(mechanism), m_options(options), m_sink(sink) {}
+        : m_mechanism(mechanism),
+          m_options(options),
+          m_sink(sink),
+          m_sensors(mechanism.getSensors().size(), SensorState::Armed) {}
 
     CommandsOutcome run(const std::vector<Command>& commands) {
         double time = 0;
@@ -128,7 +132,6 @@ private:
     }
 
     void execute(const ActivateCommand& command) {
-        start();
         for (const IdRange& range : command.ids)
             for (const std::string& name : findElements(m_mechanism, command.kind, range)) {
                 if (command.kind == ElementKind::Sensor)
@@ -140,8 +143,10 @@ private:
     }
 
     void execute(const SimulateCommand& command) {
-        start();
-        if (m_switched) m_state = reassemble(m_mechanism, *m_state).state;
+        if (!m_state)
+            start();
+        else if (m_switched)
+            m_state = reassemble(m_mechanism, *m_state).state;
         const double time = m_state->getTime() / m_mechanism.getUnits().time;
         SimulationOptions options = m_options;
         options.kind = getKind(command.analysis);
@@ -169,16 +174,20 @@ private:
         }
     }
 
+    // What has been switched off so far need not be met.
     void start() {
-        if (m_state) return;
-        const AssembledState initial = assemble(m_mechanism);
+        const AssembledState initial = assemble(m_mechanism, m_switchedOff);
         m_outcome.yielded = initial.yielded;
         m_state = initial.state;
-        m_sensors.assign(m_mechanism.getSensors().size(), SensorState::Armed);
     }
 
     void switchElement(const std::string& name, bool active) {
         const SimTK::Constraint constraint = m_mechanism.getConstraint(name);
+        if (active)
+            m_switchedOff.erase(name);
+        else
+            m_switchedOff.insert(name);
+        if (!m_state) return;
         if (active)
             constraint.enable(*m_state);
         else
@@ -197,7 +206,8 @@ private:
     ContinuedSink m_sink;
     CommandsOutcome m_outcome;
     std::vector<SensorState> m_sensors;
-    std::optional<State> m_state;
+    std::set<std::string> m_switchedOff;
+    std::optional<State> m_state;  // from the first SIMULATE on
     bool m_switched = false;
     bool m_halted = false;
 };
