@@ -50,11 +50,12 @@ Interval unite(const Interval& a, const Interval& b) {
 
 namespace {
 
-// From the values at both ends and at the turning points in between: cos has them at the multiples of pi.
-Interval calcCosineRange(const Interval& x) {
+// Of sin or cos: from the values at both ends and at the turning points in between. `firstTop` is that of 1, in halves of
+// a turn.
+Interval calcWaveRange(Function function, const Interval& x, Real firstTop) {
     if (!x.isBounded()) return {-1, 1};
-    const Real first = std::ceil(x.low / Pi), last = std::floor(x.high / Pi);
-    Interval range = span({std::cos(x.low), std::cos(x.high)});
+    const Real first = std::ceil(x.low / Pi - firstTop), last = std::floor(x.high / Pi - firstTop);
+    Interval range = span({calcFunction(function, x.low, 0), calcFunction(function, x.high, 0)});
     for (Real k = first; k <= std::min(last, first + 1); ++k) {
         const Real turning = std::fmod(k, 2) == 0 ? 1 : -1;
         range = unite(range, {turning, turning});
@@ -76,6 +77,7 @@ Interval calcRange(Function function, const Interval& x, const Interval& y) {
     const auto atEnds = [&] {
         return span({calcFunction(function, x.low, y.low), calcFunction(function, x.high, y.low)});
     };
+    if (x.low == x.high && y.low == y.high) return atEnds();
     switch (function) {
         case Function::Acos:
         case Function::Aint:
@@ -90,8 +92,8 @@ Interval calcRange(Function function, const Interval& x, const Interval& y) {
         case Function::Tanh: return atEnds();
         case Function::Abs: return x.contains(0) ? unite(atEnds(), {0, 0}) : atEnds();
         case Function::Cosh: return x.contains(0) ? unite(atEnds(), {1, 1}) : atEnds();
-        case Function::Cos: return calcCosineRange(x);
-        case Function::Sin: return calcCosineRange({x.low - Pi / 2, x.high - Pi / 2});
+        case Function::Cos: return calcWaveRange(function, x, 0);
+        case Function::Sin: return calcWaveRange(function, x, 0.5);
         case Function::Tan: {
             const bool hasPole = std::floor(x.low / Pi + 0.5) != std::floor(x.high / Pi + 0.5);
             return hasPole || !x.isBounded() ? Interval{} : atEnds();

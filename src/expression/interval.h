@@ -7,7 +7,7 @@
 namespace jprim {
 
 /// All numbers from low to high: where a value must be, if its arguments are anywhere in theirs. Ends are not rounded
-/// outwards. What is not known to be bounded is everything.
+/// outwards; of single numbers they are the value to the last digit. What is not known to be bounded is everything.
 struct Interval {
     SimTK::Real low = -SimTK::Infinity;
     SimTK::Real high = SimTK::Infinity;

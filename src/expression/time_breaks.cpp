@@ -158,31 +158,48 @@ std::optional<TimeBreak> TimeBreaks::narrow(Real from, Real to) {
     return TimeBreak{from, to};
 }
 
-bool TimeBreaks::isAtZero(Real time) {
+std::vector<bool> TimeBreaks::findZeros(Real time) {
     run(time, time);
-    return std::any_of(m_joints.begin(), m_joints.end(), [this](const Joint& joint) {
-        return joint.instruction.operation == Operation::Select &&
-               m_ranges[size_t(joint.instruction.arguments[0])].low == 0;
-    });
+    std::vector<bool> zeros;
+    for (const Joint& joint : m_joints) {
+        const Instruction& instruction = joint.instruction;
+        const bool hasOwn = instruction.operation == Operation::Select ||
+                            (instruction.operation == Operation::Call &&
+                             static_cast<Function>(instruction.detail) == Function::Abs);
+        zeros.push_back(hasOwn && m_ranges[size_t(instruction.arguments[0])].low == 0);
+    }
+    return zeros;
 }
 
-// IF has a branch for zero, which rounding may hold for a few numbers.
-Real TimeBreaks::leaveZero(Real time) {
+// IF and ABS have a branch for zero, which rounding may hold for a few numbers. What is zero for longer is so between breaks. The
+// numbers next to zero are closer to each other than any step can be.
+Real TimeBreaks::leaveZero(Real time, int direction, Real closest) {
     constexpr int MostDoublings = 20;
-    Real there = std::nextafter(time, SimTK::Infinity);
-    const Real spacing = there - time;
-    for (int k = 1; k < MostDoublings; ++k, there = time + std::ldexp(spacing, k))
-        if (!isAtZero(there)) return there;
-    return time;
+    const Real next = std::nextafter(time, direction * SimTK::Infinity) - time;
+    const Real spacing = direction * std::max(std::abs(next), closest);
+    const std::vector<bool> here = findZeros(time),
+                            far = findZeros(time + std::ldexp(spacing, MostDoublings));
+    const auto isHeld = [&](Real there) {
+        const std::vector<bool> zeros = findZeros(there);
+        for (size_t k = 0; k < zeros.size(); ++k)
+            if (here[k] && zeros[k] && !far[k]) return true;
+        return false;
+    };
+    Real there = time;
+    for (int k = 0; k < MostDoublings && isHeld(there); ++k) there = time + std::ldexp(spacing, k);
+    return there;
 }
 
 std::optional<TimeBreak> TimeBreaks::findFirst(Real after, Real until) {
-    constexpr int Halvings = 45, MostMerged = 8;
+    constexpr int Halvings = 45, MostMerged = 8, OfSpan = -60;
     if (isEmpty() || !(after < until)) return std::nullopt;
     m_numRuns = 0;
-    std::optional<TimeBreak> found = search(after, until, Halvings);
-    if (found && isAtZero(found->behind)) found->behind = leaveZero(found->behind);
-    for (int k = 0; found && k < MostMerged; ++k) {
+    const Real closest = std::ldexp(until - after, OfSpan);
+    std::optional<TimeBreak> found = search(after, leaveZero(until, 1, closest), Halvings);
+    if (!found) return std::nullopt;
+    found->before = std::max(after, leaveZero(found->before, -1, closest));
+    found->behind = leaveZero(found->behind, 1, closest);
+    for (int k = 0; k < MostMerged; ++k) {
         const Real next = std::nextafter(found->behind, SimTK::Infinity);
         if (findBranches(next) == findBranches(found->behind)) break;
         found->behind = next;

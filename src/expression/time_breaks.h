@@ -28,7 +28,7 @@ public:
     /// True if there are no branches of that kind.
     bool isEmpty() const { return m_joints.empty(); }
 
-    /// The first break behind `after` and not behind `until`.
+    /// The first break behind `after` that begins not behind `until`.
     std::optional<TimeBreak> findFirst(SimTK::Real after, SimTK::Real until);
 
 private:
@@ -47,8 +47,8 @@ private:
     bool isBounded() const;
     std::vector<SimTK::Real> findBranches(SimTK::Real time);
     std::optional<TimeBreak> search(SimTK::Real from, SimTK::Real to, int halvings);
-    bool isAtZero(SimTK::Real time);
-    SimTK::Real leaveZero(SimTK::Real time);
+    std::vector<bool> findZeros(SimTK::Real time);
+    SimTK::Real leaveZero(SimTK::Real time, int direction, SimTK::Real closest);
     std::optional<TimeBreak> narrow(SimTK::Real from, SimTK::Real to);
 
     Program m_program;

@@ -18,24 +18,20 @@ bool Element::isDisabled(const State& state) const {
     return force && force->isDisabled(state);
 }
 
-namespace {
-
-void requireSwitchable(const Element& element) {
-    if (element.handle.index() == 0)
-        throw Error(element.getName(),
+void Element::requireSwitchable() const {
+    if (handle.index() == 0)
+        throw Error(getName(),
                     "is a mobilizer of the tree and cannot be switched; use the formulation by constraints");
 }
 
-}  // namespace
-
 void Element::disable(State& state) const {
-    requireSwitchable(*this);
+    requireSwitchable();
     if (const SimTK::Constraint* constraint = getConstraint()) constraint->disable(state);
     if (const MarkerForce* force = getForce()) force->disable(state);
 }
 
 void Element::enable(State& state) const {
-    requireSwitchable(*this);
+    requireSwitchable();
     if (const SimTK::Constraint* constraint = getConstraint()) constraint->enable(state);
     if (const MarkerForce* force = getForce()) force->enable(state);
 }

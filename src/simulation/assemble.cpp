@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/format.h"
 #include "jprim/analysis/constraint_report.h"
@@ -27,12 +28,19 @@ bool isViolated(const Violation& violation) {
     return std::max(violation.length, violation.angle) > AssemblyTolerance;
 }
 
+State makeGivenState(const Mechanism& mechanism, const std::set<ElementId>& switchedOff) {
+    State state = mechanism.makeGivenState();
+    for (const ElementId& id : switchedOff) mechanism.getElement(id).disable(state);
+    return state;
+}
+
 // In a tree a chain that has to close far away is a bad place to search from. So its positions are sought with all
 // parts free, where joints in the tree are equations like others, and then taken over.
-FoundPositions findPositionsFreely(const Mechanism& mechanism, const AssemblyAim& aim, State& state) {
+FoundPositions findPositionsFreely(const Mechanism& mechanism, const AssemblyAim& aim,
+                                   const std::set<ElementId>& switchedOff, State& state) {
     const std::optional<Mechanism> free = mechanism.makeWithFreeParts();
     if (!free) return findPositions(mechanism, aim, state);
-    State found = free->makeGivenState();
+    State found = makeGivenState(*free, switchedOff);
     const FoundPositions positions = findPositions(*free, aim, found);
     std::vector<Transform> poses;
     for (size_t k = 0; k < free->getParts().size(); ++k) {
@@ -133,15 +141,19 @@ std::string formatAmount(const MissedCoordinate& missed, const UnitSystem& units
 }
 
 AssembledState assemble(const Mechanism& mechanism) {
+    return assemble(mechanism, {});
+}
+
+AssembledState assemble(const Mechanism& mechanism, const std::set<ElementId>& switchedOff) {
     AssembledState result;
-    result.state = mechanism.makeGivenState();
+    result.state = makeGivenState(mechanism, switchedOff);
     mechanism.getSystem().realize(result.state, Stage::Position);
     result.before = calcViolation(mechanism, result.state);
     addMisfits(mechanism, result.state, result.before);
     if (isViolated(result.before) || !findMissedInitial(mechanism, result.state, AssemblyTolerance).empty()) {
         AssemblyAim aim;
         for (const MechanismPart& part : mechanism.getParts()) aim.poses.push_back(part.calcGivenBodyPose());
-        const FoundPositions found = findPositionsFreely(mechanism, aim, result.state);
+        const FoundPositions found = findPositionsFreely(mechanism, aim, switchedOff, result.state);
         result.yielded = found.yielded;
         leaveOut(mechanism, found, result);
     }

@@ -140,11 +140,15 @@ void GivenCoordinate::addDirections(const State& state, int, Directions& directi
     addCoordinateDirections(m_given.coordinate.getImplementation(), state, directions);
 }
 
+bool isSwitchedOff(const Mechanism& mechanism, const InitialCoordinate& given, const State& state) {
+    return mechanism.getElement(given.element).isDisabled(state);
+}
+
 std::vector<MissedCoordinate> findMissedInitial(const Mechanism& mechanism, const State& state,
                                                 Real tolerance) {
     std::vector<MissedCoordinate> missed;
     for (const InitialCoordinate& given : mechanism.getInitialCoordinates()) {
-        if (!given.value) continue;
+        if (!given.value || isSwitchedOff(mechanism, given, state)) continue;
         const Real amount = std::abs(GivenCoordinate(given).calcErrors(state)[0]);
         if (amount > tolerance)
             missed.push_back({given.element.getText(), "initial value", amount, given.dimension});
@@ -153,10 +157,11 @@ std::vector<MissedCoordinate> findMissedInitial(const Mechanism& mechanism, cons
     return missed;
 }
 
-PositionConditions makeInitialConditions(const Mechanism& mechanism) {
+PositionConditions makeInitialConditions(const Mechanism& mechanism, const State& state) {
     PositionConditions conditions;
     for (const InitialCoordinate& given : mechanism.getInitialCoordinates())
-        if (given.value) conditions.push_back(std::make_shared<GivenCoordinate>(given));
+        if (given.value && !isSwitchedOff(mechanism, given, state))
+            conditions.push_back(std::make_shared<GivenCoordinate>(given));
     return conditions;
 }
 

@@ -63,7 +63,10 @@ private:
 };
 
 PositionConditions makeExactConditions(const Mechanism& mechanism);
-PositionConditions makeInitialConditions(const Mechanism& mechanism);
+PositionConditions makeInitialConditions(const Mechanism& mechanism, const SimTK::State& state);
+
+/// True if the element is switched off in a State: what is given for its coordinate does not count.
+bool isSwitchedOff(const Mechanism& mechanism, const InitialCoordinate& given, const SimTK::State& state);
 
 /// The coordinates that EXACT names and the State misses by more than `tolerance` [sizes of the part, rad]; the
 /// worst first.

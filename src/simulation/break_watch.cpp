@@ -66,7 +66,23 @@ std::optional<TimeBreak> BreakWatch::findNext(Real after, Real until) {
     return first;
 }
 
-void BreakWatch::requireNoJump(const Mechanism& mechanism, const State& before, Real behind) {
+std::optional<TimeBreak> BreakWatch::findAround(Real time, Real span) {
+    constexpr int Numbers = 21, OfSpan = -60;
+    const Real spacing = std::nextafter(time, SimTK::Infinity) - time;
+    const Real margin = std::ldexp(std::max(spacing, std::ldexp(span, OfSpan)), Numbers);
+    std::optional<TimeBreak> around;
+    for (Function& function : m_functions) {
+        const std::optional<TimeBreak> found = function.breaks.findFirst(time - margin, time + margin);
+        if (!found || time < found->before || found->behind <= time) continue;
+        if (!around) around = found;
+        around->before = std::min(around->before, found->before);
+        around->behind = std::max(around->behind, found->behind);
+    }
+    return around;
+}
+
+void BreakWatch::requireNoJump(const Mechanism& mechanism, const State& before, Real behind,
+                               KinematicLevel highest) {
     constexpr Real Rounding = 1e-9, Margin = 10, Later = 64;
     if (before.getNMultipliers() == 0) return;
     State state = before;
@@ -88,6 +104,7 @@ void BreakWatch::requireNoJump(const Mechanism& mechanism, const State& before, 
         if (equation.level == KinematicLevel::Acceleration) continue;
         const bool isOfPositions = equation.level == KinematicLevel::Position;
         const bool isJump = isOfPositions && std::abs(equation.getError(jumps)) > Rounding * far;
+        if (!isJump && highest == KinematicLevel::Position) continue;
         const Real steep = Margin * std::abs(equation.getError(changes));
         if (!isJump && std::abs(equation.getError(rates)) <= Rounding * fast + steep) continue;
         throw Error(equation.element,

@@ -21,10 +21,16 @@ public:
     /// The first break behind `after` and not behind `until`.
     std::optional<TimeBreak> findNext(SimTK::Real after, SimTK::Real until);
 
+    /// The break within which a State stands that begins, or else none.
+    /// @param span  of the times that a run goes through
+    std::optional<TimeBreak> findAround(SimTK::Real time, SimTK::Real span);
+
     /// What bodies with masses cannot follow: at a break a function asks for other positions or other velocities.
     /// @param before  a State at the last moment before the break
+    /// @param highest  Position where velocities may jump
     /// @throws Error naming the MOTION or GCON
-    static void requireNoJump(const Mechanism& mechanism, const SimTK::State& before, SimTK::Real behind);
+    static void requireNoJump(const Mechanism& mechanism, const SimTK::State& before, SimTK::Real behind,
+                              KinematicLevel highest = KinematicLevel::Velocity);
 
 private:
     /// The breaks of a function, of which the next is known, or that there is none until a time.

@@ -9,6 +9,7 @@
 #include "jprim/analysis/constraint_report.h"
 #include "jprim/base/error.h"
 #include "simulation/stall_watch.h"
+#include "simulation/undefined_force.h"
 
 namespace jprim {
 
@@ -17,6 +18,15 @@ using SimTK::Stage;
 using SimTK::State;
 
 namespace {
+
+// Of Simbody's messages.
+constexpr const char *TooShort = "Unable to advance time past",
+                     *NotProjected = "Failed to achieve required accuracy";
+
+// CPodes', whose reasons are many.
+constexpr const char* NoStep = "Integrator step failed";
+
+constexpr const char* NotFinite = "accelerations are not finite";
 
 Real findLargest(const SimTK::Vector& v) {
     return v.size() > 0 ? v.normInf() : 0;
@@ -43,8 +53,7 @@ void checkAccelerations(const Mechanism& mechanism, const std::vector<Constraint
     // What is there to be lost: accelerations, gravity, and the centripetal ones of a steady turn.
     const Real accelerations = findLargest(state.getUDot()) + mechanism.getGravity().norm() +
                                SimTK::square(findLargest(state.getU()));
-    if (!std::isfinite(accelerations + state.getUDot().norm()))
-        throw std::runtime_error("accelerations are not finite");
+    if (!std::isfinite(accelerations + state.getUDot().norm())) throw std::runtime_error(NotFinite);
     const auto findViolated = [&](Real tolerance) {
         return std::find_if(equations.begin(), equations.end(), [&](const ConstraintEquation& equation) {
             return std::abs(equation.getError(state.getUDotErr())) > tolerance;
@@ -67,13 +76,6 @@ bool isNearSingular(const Mechanism& mechanism, const State& state) {
     return count.rank > 0 && count.smallestKept < Near;
 }
 
-// Of Simbody's messages.
-constexpr const char *TooShort = "Unable to advance time past",
-                     *NotProjected = "Failed to achieve required accuracy";
-
-// CPodes', whose reasons are many.
-constexpr const char* NoStep = "Integrator step failed";
-
 bool isStuck(const std::exception& exception) {
     const std::string text = exception.what();
     return text.find(TooShort) != std::string::npos || text.find(NotProjected) != std::string::npos;
@@ -82,13 +84,13 @@ bool isStuck(const std::exception& exception) {
 namespace {
 
 bool hasNoStep(const std::string& reason) {
-    return reason.find(TooShort) != std::string::npos || reason.find(NoStep) != std::string::npos;
+    return reason.find(TooShort) != std::string::npos || reason.find(NoStep) != std::string::npos ||
+           reason == NoStepIsShortEnough;
 }
 
 // Simbody's messages run over several lines, and the commonest of them says nothing of what it means.
 std::string rephrase(std::string text) {
-    if (text.find(TooShort) != std::string::npos)
-        return "the integrator does not meet its accuracy however short its steps are";
+    if (text.find(TooShort) != std::string::npos) return NoStepIsShortEnough;
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }
@@ -106,6 +108,29 @@ std::string findComplaint(const Mechanism& mechanism, State state) {
         }
     } catch (const Error& error) {
         return error.what();
+    } catch (const std::exception&) {
+        // A State that cannot be realized tells no more.
+    }
+    return "";
+}
+
+// Of what Simbody says where a number is none.
+bool isNotFinite(const std::string& reason) {
+    return reason.find(NotFinite) != std::string::npos || reason.find("NaN") != std::string::npos ||
+           reason.find("ODE function") != std::string::npos;
+}
+
+// Where no step is short enough because a function is not defined behind it. Integrators that meet no numbers give up
+// some steps before.
+std::string findUndefined(const Mechanism& mechanism, const State& state, const std::string& reason) {
+    for (const Real moment : {1e-9, 1e-6, 1e-3, 1e-2, 0.1}) {
+        if (moment > 1e-3 && !isNotFinite(reason)) break;
+        State later = state;
+        later.updTime() += moment;
+        const std::string complaint = findComplaint(mechanism, later);
+        if (!complaint.empty()) return complaint;
+        const std::string name = findUndefinedForce(mechanism, state, moment);
+        if (!name.empty()) return fmt::format("{}: {}", name, WhatIsUndefined);
     }
     return "";
 }
@@ -166,22 +191,24 @@ std::string describeSingularity(const Mechanism& mechanism, const State& state) 
 
 }  // namespace
 
-std::string describeFailure(const Mechanism& mechanism, const State& state, const std::string& reason) {
-    const double time = state.getTime() / mechanism.getUnits().time;
-    const std::string complaint = findComplaint(mechanism, state);
-    if (!complaint.empty())
-        return fmt::format("at time {:.6g}: the simulation cannot go on: {}", time, complaint);
-    std::string where;
+std::string describeFailure(const Mechanism& mechanism, const State& state, const std::exception& exception) {
+    const std::string reason = exception.what();
+    std::string why = findComplaint(mechanism, state), where;
+    if (why.empty() && dynamic_cast<const Error*>(&exception)) why = reason;
     try {
         mechanism.getSystem().realize(state, Stage::Position);
-        const std::string jump = hasNoStep(reason) ? findJump(mechanism, state) : "";
-        if (!jump.empty()) return fmt::format("at time {:.6g}: the simulation cannot go on: {}", time, jump);
-        where = describeSingularity(mechanism, state) + describeLargestError(mechanism, state) +
-                describeConflict(mechanism, state);
+        if (why.empty() && (hasNoStep(reason) || isNotFinite(reason)))
+            why = findUndefined(mechanism, state, reason);
+        if (why.empty() && hasNoStep(reason)) why = findJump(mechanism, state);
+        if (why.empty())
+            where = describeSingularity(mechanism, state) + describeLargestError(mechanism, state) +
+                    describeConflict(mechanism, state);
     } catch (const std::exception&) {
         // Nothing more can be said about a State that cannot be realized.
     }
-    return fmt::format("at time {:.6g}: the simulation cannot go on{}: {}", time, where, rephrase(reason));
+    return fmt::format("at time {:.6g}: the simulation cannot go on{}: {}",
+                       state.getTime() / mechanism.getUnits().time, where,
+                       why.empty() ? rephrase(reason) : why);
 }
 
 }  // namespace jprim

@@ -22,13 +22,17 @@ void checkAccelerations(const Mechanism& mechanism, const std::vector<Constraint
 /// to explain what has gone wrong, not to predict it. Requires Stage::Position.
 bool isNearSingular(const Mechanism& mechanism, const SimTK::State& state);
 
+constexpr const char* NoStepIsShortEnough =
+    "the integrator does not meet its accuracy however short its steps are";
+
 /// True of what is thrown where an integrator does not meet its accuracy however short its steps are, or constraints
 /// are not met to their tolerance.
 bool isStuck(const std::exception& exception);
 
 /// Why a simulation ended at a State: the time, the equation with the largest error, a singular position if it
-/// is one, and the reason.
-std::string describeFailure(const Mechanism& mechanism, const SimTK::State& state, const std::string& reason);
+/// is one, and the reason; or the element that is the reason, if one is known to be.
+std::string describeFailure(const Mechanism& mechanism, const SimTK::State& state,
+                            const std::exception& exception);
 
 }  // namespace jprim
 

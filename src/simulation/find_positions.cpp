@@ -60,7 +60,7 @@ public:
         mechanism.getSystem().realize(m_given, SimTK::Stage::Position);
         m_equations = selectHolonomic(mechanism.findEquations(m_given));
         if (aim.holdGiven) {
-            m_initial = makeInitialConditions(mechanism);
+            m_initial = makeInitialConditions(mechanism, m_given);
             m_exact = makeExactConditions(mechanism);
         }
     }

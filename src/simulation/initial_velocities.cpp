@@ -17,6 +17,7 @@
 #include "linear_algebra/conversion.h"
 #include "linear_algebra/orthogonal.h"
 #include "linear_algebra/ranked_rows.h"
+#include "simulation/assembly_conditions.h"
 #include "simulation/constraint_jacobian.h"
 #include "simulation/coordinate_direction.h"
 
@@ -40,6 +41,10 @@ struct GivenVelocities {
     Eigen::VectorXd c;
 };
 
+bool isRateGiven(const Mechanism& mechanism, const InitialCoordinate& given, const State& state) {
+    return given.rate && !isSwitchedOff(mechanism, given, state);
+}
+
 /// Collects the rows of C.
 class Collector {
 public:
@@ -48,7 +53,8 @@ public:
         for (const MechanismPart& part : mechanism.getParts())
             if (!part.ground) addPart(part);
         for (const InitialCoordinate& given : mechanism.getInitialCoordinates())
-            if (given.rate) addRate(given.coordinate.getImplementation(), *given.rate);
+            if (isRateGiven(mechanism, given, state))
+                addRate(given.coordinate.getImplementation(), *given.rate);
     }
 
     GivenVelocities finish() {
@@ -193,7 +199,8 @@ Vector calcInitialVelocities(const Mechanism& mechanism, const State& positions)
     State state = positions;
     mechanism.getSystem().realize(state, SimTK::Stage::Position);  // a copy has forgotten that it was
     const std::vector<InitialCoordinate>& coordinates = mechanism.getInitialCoordinates();
-    if (std::none_of(coordinates.begin(), coordinates.end(), [](const auto& c) { return bool(c.rate); })) {
+    if (std::none_of(coordinates.begin(), coordinates.end(),
+                     [&](const auto& given) { return isRateGiven(mechanism, given, state); })) {
         const Vector fitted = fitGivenVelocities(mechanism, state);
         if (isAdmissible(mechanism, state, fitted)) return fitted;
     }

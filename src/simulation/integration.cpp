@@ -10,12 +10,12 @@
 #include "simulation/failure.h"
 #include "simulation/integrators.h"
 #include "simulation/motion_scale.h"
-#include "simulation/projection.h"
 #include "simulation/quadrature.h"
 #include "simulation/stall_watch.h"
 #include "simulation/step_history.h"
 #include "simulation/stepper.h"
 #include "simulation/switch_watch.h"
+#include "simulation/turning.h"
 
 namespace jprim {
 
@@ -25,13 +25,6 @@ using SimTK::Real;
 using SimTK::State;
 
 namespace {
-
-Real calcLargestAngularVelocity(const Mechanism& mechanism, const State& state) {
-    Real w = 0;
-    for (const MechanismPart& part : mechanism.getParts())
-        if (!part.ground) w = std::max(w, part.body.getBodyAngularVelocity(state).norm());
-    return w;
-}
 
 SwitchWatch::Source makeSwitches(const Mechanism& mechanism) {
     return [&mechanism](const State& state, std::vector<SwitchWatch::Switch>& switches) {
@@ -48,8 +41,9 @@ public:
           m_options(options),
           m_entry(findIntegrator(options.integrator)),
           m_scale(mechanism, initial),
-          m_quadrature(mechanism.getSystem()),
+          m_quadrature(mechanism.getSystem(), !m_entry.remembersSteps),
           m_breaks(BreakWatch::ofLoads(mechanism)),
+          m_span(options.end * mechanism.getUnits().time - initial.getTime()),
           m_switches(mechanism.getSystem(), makeSwitches(mechanism)),
           m_stall(mechanism) {
         begin(initial);
@@ -65,6 +59,7 @@ public:
     void step(Real time) override {
         std::optional<State> start;
         if (!m_switches.isEmpty()) start = getState();
+        leaveBreaks(time);
         if (m_entry.remembersSteps && m_isAtRest)
             stepFromRest(time);
         else
@@ -84,55 +79,93 @@ private:
 
     void begin(const State& state) {
         restart(state);
+        m_break = m_breaks.findAround(state.getTime(), m_span);
         m_quadrature.start(getState());
         lookAtMotion();
     }
 
     void takeStep(Real time) {
-        const std::optional<TimeBreak> next = findBreak(time);
-        const Real end = std::min(
-            {time, getState().getTime() + m_timeOfARadian, findEndInExcursion(), next ? next->before : time});
+        const std::optional<TimeBreak> next = leaveBreaks(time);
+        const Real now = getState().getTime();
+        if (now >= time) return;
+        const Real end =
+            std::min({time, now + m_timeOfARadian, findEndInExcursion(), next ? next->before : time});
         try {
-            adaptToMotion();
-            advance(*m_integrator, end);
-            project(*m_integrator);
+            if (isHardlyLater(end)) {
+                skipTo(end);
+            } else {
+                adaptToMotion();
+                takeOneStep(*m_integrator, end);
+            }
         } catch (const std::exception& exception) {
+            leaveNotFinite();
             if (!isStuck(exception) || !crossSingularPosition(time)) throw;
         }
         lookAtMotion();
-        if (next && next->before <= getState().getTime()) crossBreak(*next, time);
+        if (next && next->before <= getState().getTime()) cross(*next, time);
     }
 
-    // The next place for a step to end. One where the State stands is crossed; at zero, behind which numbers are too close,
-    // integrators do so themselves.
-    std::optional<TimeBreak> findBreak(Real time) {
-        std::optional<TimeBreak> next = m_breaks.findNext(getState().getTime(), time);
-        if (!next || next->before > getState().getTime()) return next;
-        const Real behind = next->behind;
-        if (getState().getTime() != 0) crossBreak(*next, time);
-        next = m_breaks.findNext(behind, time);
-        return next && next->before > getState().getTime() ? next : std::nullopt;
+    // CPodes may stop at a State without numbers.
+    void leaveNotFinite() {
+        State state = getState();
+        if (std::isfinite(state.getY().norm())) return;
+        m_history.goBack(state, state.getTime());
+        restart(state);
+    }
+
+    // Crosses those where the State stands. Returns the next, if there is one not later than `time`.
+    std::optional<TimeBreak> leaveBreaks(Real time) {
+        Real from = getState().getTime();
+        std::optional<TimeBreak> next = m_break;
+        if (!next || from < next->before || next->behind <= from) next = m_breaks.findNext(from, time);
+        while (next && next->before <= getState().getTime() && getState().getTime() < time) {
+            cross(*next, time);
+            from = std::max(getState().getTime(), next->behind);
+            next = m_breaks.findNext(from, time);
+        }
+        return next;
     }
 
     // A step begins behind the break: all its stages are on one side. Only where accelerations jump is what CPodes
-    // remembers of no more use, nor from rest the step and the motion that errors were held against.
-    void crossBreak(const TimeBreak& next, Real time) {
+    // remembers of no more use, nor from rest the step and the motion that errors were held against. An output time may
+    // be within the break.
+    void cross(const TimeBreak& next, Real time) {
         constexpr Real Jump = 1e-2;
-        BreakWatch::requireNoJump(m_mechanism, getState(), next.behind);
-        State behind = getState();
-        behind.updTime() = std::min(next.behind, time);
-        m_mechanism.getSystem().realize(behind, SimTK::Stage::Acceleration);
-        if (!m_entry.remembersSteps && !m_isAtRest) {
-            m_integrator->updAdvancedState().updTime() = behind.getTime();
-            m_integrator->reinitialize(SimTK::Stage::Time, false);
-            m_quadrature.start(behind);
-            lookAtMotion();
-            return;
-        }
+        const Real there = std::min(next.behind, time);
+        BreakWatch::requireNoJump(m_mechanism, getState(), there);
         m_mechanism.getSystem().realize(getState(), SimTK::Stage::Acceleration);
+        State behind = getState();
+        behind.updTime() = there;
+        m_mechanism.getSystem().realize(behind, SimTK::Stage::Acceleration);
         const SimTK::Vector& before = getState().getUDot();
         const SimTK::Vector jump = behind.getUDot() - before;
-        if (jump.size() > 0 && jump.normInf() > Jump * before.normInf()) begin(behind);
+        const bool isJump = jump.size() > 0 && jump.normInf() > Jump * before.normInf();
+        if (isJump || there < next.behind || !goesOnAtBreaks()) skipTo(there);
+        m_break = next;
+    }
+
+    // From rest all of them remember what is of no use.
+    bool goesOnAtBreaks() const { return m_entry.remembersSteps || m_isAtRest; }
+
+    // Without integrating.
+    void skipTo(Real time) {
+        if (goesOnAtBreaks()) {
+            State there = getState();
+            there.updTime() = time;
+            begin(there);
+            return;
+        }
+        m_integrator->updAdvancedState().updTime() = time;
+        m_integrator->reinitialize(SimTK::Stage::Time, false);
+        m_mechanism.getSystem().realize(getState(), SimTK::Stage::Acceleration);
+        m_quadrature.start(getState());
+        lookAtMotion();
+    }
+
+    // By a few of the numbers that there are: CPodes refuses to.
+    bool isHardlyLater(Real end) const {
+        constexpr Real Few = 64;
+        return end - getState().getTime() < Few * SimTK::Eps * std::max(std::abs(end), SimTK::Eps * m_span);
     }
 
     // What a step may have jumped over is gone through, from where it begins, by steps that do not.
@@ -142,7 +175,7 @@ private:
             m_excursion = m_switches.check(getState(), m_entry.isBlindAtEnd);
             if (!m_excursion) return;
             begin(start);
-            takeStep(std::min(time, m_excursion->begin));
+            takeStep(time);
         }
         m_switches.start(getState());
     }
@@ -151,7 +184,7 @@ private:
         constexpr int Parts = 8;
         const Real now = getState().getTime();
         if (!m_excursion || now >= m_excursion->end) return SimTK::Infinity;
-        if (now < m_excursion->begin) return m_excursion->begin;
+        if (now < m_excursion->begin && !isHardlyLater(m_excursion->begin)) return m_excursion->begin;
         return now + (m_excursion->end - m_excursion->begin) / Parts;
     }
 
@@ -161,8 +194,9 @@ private:
         constexpr Real Far = 10;
         const State start = getState();
         const MotionScale scale = m_scale;
-        for (takeStep(time); calcCommonUnit() < m_unit / Far; takeStep(time)) {
-            m_unit = calcCommonUnit();
+        Real least = m_unit;
+        for (takeStep(time); calcCommonUnit() < least / Far; takeStep(time)) {
+            least = m_unit = calcCommonUnit();
             m_scale = scale;
             begin(start);
         }
@@ -197,23 +231,6 @@ private:
         return m_isAtRest ? 1 : std::min(1., Ahead * m_units.normInf());
     }
 
-    static void advance(Integrator& integrator, Real end) {
-        auto status = integrator.stepTo(end, end);
-        if (status == Integrator::StartOfContinuousInterval) status = integrator.stepTo(end, end);
-        if (status == Integrator::EndOfSimulation) throw Error("integrator", "ended before its time");
-    }
-
-    // Near a singular position an error of velocities, divided by the distance, is one of accelerations. Integrators can
-    // be told to project every step, but then they project their estimates of errors as well, and in trees of few
-    // freedoms take steps that are too long.
-    void project(Integrator& integrator) const {
-        if (m_entry.remembersSteps || integrator.getState().getNMultipliers() == 0) return;
-        State& state = integrator.updAdvancedState();
-        state.updUWeights() = 1;
-        projectAtLeastOnce(m_mechanism.getSystem(), state, m_options.getConstraintTolerance());
-        integrator.reinitialize(SimTK::Stage::Position, false);
-    }
-
     // Next to a singular position accelerations are nothing but rounding errors divided by the distance, and no step
     // is short enough. From a little before it one step of fixed length leads across, by stages that are not near.
     // False if the integrator is not stuck for that reason.
@@ -237,11 +254,15 @@ private:
         return true;
     }
 
+    void takeOneStep(Integrator& integrator, Real end) const {
+        advance(integrator, end);
+        if (!m_entry.remembersSteps) project(m_mechanism, m_options, integrator);
+    }
+
     State integrate(const State& from, Real end, Integrator& integrator) const {
         integrator.initialize(from);
         while (integrator.getTime() < end) {
-            advance(integrator, end);
-            project(integrator);
+            takeOneStep(integrator, end);
         }
         return integrator.getState();
     }
@@ -258,6 +279,8 @@ private:
     Quadrature m_quadrature;
     StepHistory m_history;
     BreakWatch m_breaks;
+    Real m_span;                       // of the run
+    std::optional<TimeBreak> m_break;  // the last that was crossed, or where a beginning State stands
     SwitchWatch m_switches;
     StallWatch m_stall;
     std::optional<Excursion> m_excursion;  // the last that a step jumped over
@@ -267,15 +290,6 @@ private:
 };
 
 }  // namespace
-
-Real calcTimeOfARadian(const Mechanism& mechanism, const State& state) {
-    const Real w = calcLargestAngularVelocity(mechanism, state);
-    Real a = 0;
-    for (const MechanismPart& part : mechanism.getParts())
-        if (!part.ground) a = std::max(a, part.body.getBodyAngularAcceleration(state).norm());
-    const Real rate = w + std::sqrt(w * w + 2 * a);
-    return rate > 0 ? 2 / rate : SimTK::Infinity;
-}
 
 std::unique_ptr<Stepper> makeIntegration(const Mechanism& mechanism, const State& initial,
                                          const SimulationOptions& options) {

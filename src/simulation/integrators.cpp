@@ -5,6 +5,7 @@
 
 #include "base/format.h"
 #include "jprim/base/error.h"
+#include "simulation/projection.h"
 #include "simulation/stepper.h"
 
 namespace jprim {
@@ -47,6 +48,20 @@ std::unique_ptr<Integrator> makeIntegrator(const Mechanism& mechanism, const Sim
     integrator->setAllowInterpolation(false);
     integrator->setReturnEveryInternalStep(true);
     return integrator;
+}
+
+void advance(Integrator& integrator, Real end) {
+    auto status = integrator.stepTo(end, end);
+    if (status == Integrator::StartOfContinuousInterval) status = integrator.stepTo(end, end);
+    if (status == Integrator::EndOfSimulation) throw Error("integrator", "ended before its time");
+}
+
+void project(const Mechanism& mechanism, const SimulationOptions& options, Integrator& integrator) {
+    if (integrator.getState().getNMultipliers() == 0) return;
+    SimTK::State& state = integrator.updAdvancedState();
+    state.updUWeights() = 1;
+    projectAtLeastOnce(mechanism.getSystem(), state, options.getConstraintTolerance());
+    integrator.reinitialize(SimTK::Stage::Position, false);
 }
 
 std::vector<std::string> getIntegratorNames() {

@@ -27,6 +27,14 @@ std::unique_ptr<SimTK::Integrator> makeIntegrator(const Mechanism& mechanism,
                                                   const SimulationOptions& options,
                                                   const IntegratorEntry& entry, SimTK::Real unit = 1);
 
+/// One step that does not go beyond `end`.
+void advance(SimTK::Integrator& integrator, SimTK::Real end);
+
+/// Near a singular position an error of velocities, divided by the distance, is one of accelerations. Integrators can be
+/// told to project every step, but then they project their estimates of errors as well, and in trees of few freedoms take
+/// steps that are too long.
+void project(const Mechanism& mechanism, const SimulationOptions& options, SimTK::Integrator& integrator);
+
 }  // namespace jprim
 
 #endif

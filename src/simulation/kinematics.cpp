@@ -3,12 +3,15 @@
 // constraints at the new time. Where the correction is large the step is halved, so that the mechanism does
 // not jump to another of its configurations.
 #include <algorithm>
+#include <optional>
 
 #include "base/format.h"
 #include "jprim/base/error.h"
+#include "simulation/break_watch.h"
 #include "simulation/equation_access.h"
 #include "simulation/projection.h"
 #include "simulation/stepper.h"
+#include "simulation/turning.h"
 
 namespace jprim {
 
@@ -25,7 +28,12 @@ constexpr int MostHalvings = 20;
 class Kinematics final : public Stepper {
 public:
     Kinematics(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
-        : m_mechanism(mechanism), m_state(initial), m_tolerance(options.getConstraintTolerance()) {
+        : m_mechanism(mechanism),
+          m_state(initial),
+          m_tolerance(options.getConstraintTolerance()),
+          m_breaks(BreakWatch::ofLoads(mechanism)),
+          m_break(m_breaks.findAround(initial.getTime(),
+                                      options.end * mechanism.getUnits().time - initial.getTime())) {
         finish(m_state);
     }
 
@@ -33,11 +41,12 @@ public:
     int getNumSteps() const override { return m_numSteps; }
 
     void step(Real time) override {
-        const Real whole = time - m_state.getTime();
+        const Real end = crossBreaks(time), whole = end - m_state.getTime();
+        if (whole <= 0) return;
         Real h = std::min(whole, calcTimeOfARadian(m_mechanism, m_state));
         for (int k = 0; k < MostHalvings; ++k, h /= 2) {
             State next = m_state;
-            next.updTime() = h == whole ? time : m_state.getTime() + h;
+            next.updTime() = h == whole ? end : m_state.getTime() + h;
             if (!tryStep(h, next)) continue;
             next.autoUpdateDiscreteVariables();
             m_state = next;
@@ -51,6 +60,26 @@ public:
     }
 
 private:
+    // Those where the State stands. A kink of a MOTION is no harm: positions, velocities and accelerations are right on both
+    // sides of it. Returns where the next step has to end.
+    Real crossBreaks(Real time) {
+        const auto now = [this] { return m_state.getTime(); };
+        std::optional<TimeBreak> next = m_break;
+        if (!next || now() < next->before || next->behind <= now()) next = m_breaks.findNext(now(), time);
+        while (next && next->before <= now() && now() < time) {
+            State there = m_state;
+            there.updTime() = std::min(next->behind, time);
+            BreakWatch::requireNoJump(m_mechanism, m_state, there.getTime(), KinematicLevel::Position);
+            project(there);
+            there.autoUpdateDiscreteVariables();
+            m_state = there;
+            finish(m_state);
+            m_break = next;
+            next = m_breaks.findNext(std::max(now(), next->behind), time);
+        }
+        return next ? std::min(time, next->before) : time;
+    }
+
     bool tryStep(Real h, State& next) const {
         Vector qDot;
         m_mechanism.getMatter().multiplyByN(m_state, false,
@@ -87,6 +116,8 @@ private:
     const Mechanism& m_mechanism;
     State m_state;
     Real m_tolerance;
+    BreakWatch m_breaks;
+    std::optional<TimeBreak> m_break;  // the last that was crossed, or where the State stood at first
     int m_numSteps = 0;
 };
 

@@ -13,7 +13,9 @@ namespace jprim {
 /// all that happens in a step, such as a contact that a motor presses together, it is halved.
 class Quadrature {
 public:
-    explicit Quadrature(const SimTK::MultibodySystem& system) : m_system(system) {}
+    /// @param isOfLowOrder  true of a method whose rates are better than its coordinates
+    Quadrature(const SimTK::MultibodySystem& system, bool isOfLowOrder)
+        : m_system(system), m_isOfLowOrder(isOfLowOrder) {}
 
     /// Where a motion begins. Requires Stage::Acceleration, like advance().
     void start(const SimTK::State& state);
@@ -28,13 +30,16 @@ private:
     };
 
     static Moment makeMoment(const SimTK::State& state);
+    SimTK::Vector calcWay(const Moment& end) const;
     SimTK::Vector calcRateBetween(const Moment& end, SimTK::Real fraction);
     /// Between two fractions of a step, from the rates there.
     SimTK::Vector calcIntegral(const Moment& end, SimTK::Real a, const SimTK::Vector& rateA, SimTK::Real b,
                                const SimTK::Vector& rateB, int halvings);
 
     const SimTK::MultibodySystem& m_system;
+    bool m_isOfLowOrder;
     Moment m_start;
+    SimTK::Vector m_way;         // of the coordinates in a step
     SimTK::Real m_turnover = 0;  // what has been integrated, whatever its sign
     SimTK::State m_between;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -82,7 +83,10 @@ void checkSwitched(const Mechanism& mechanism, const ActivateCommand& command, D
 class CommandRun {
 public:
     CommandRun(const Mechanism& mechanism, const SimulationOptions& options, ResultSink& sink)
-        : m_mechanism(mechanism), m_options(options), m_sink(sink) {}
+        : m_mechanism(mechanism),
+          m_options(options),
+          m_sink(sink),
+          m_sensors(mechanism.getSensors().size(), SensorState::Armed) {}
 
     CommandsOutcome run(const std::vector<Command>& commands) {
         double time = 0;
@@ -125,7 +129,6 @@ private:
     }
 
     void execute(const ActivateCommand& command) {
-        start();
         for (const IdRange& range : command.ids)
             for (const ElementId& id : findElements(m_mechanism, command.kind, range)) {
                 if (command.kind == ElementKind::Sensor)
@@ -137,8 +140,10 @@ private:
     }
 
     void execute(const SimulateCommand& command) {
-        start();
-        if (m_switched) m_state = reassemble(m_mechanism, *m_state).state;
+        if (!m_state)
+            start();
+        else if (m_switched)
+            m_state = reassemble(m_mechanism, *m_state).state;
         const double time = m_state->getTime() / m_mechanism.getUnits().time;
         SimulationOptions options = m_options;
         options.kind = getKind(command.analysis);
@@ -166,16 +171,21 @@ private:
         }
     }
 
+    // What has been switched off so far need not be met.
     void start() {
-        if (m_state) return;
-        const AssembledState initial = assemble(m_mechanism);
+        const AssembledState initial = assemble(m_mechanism, m_switchedOff);
         m_outcome.yielded = initial.yielded;
         m_state = initial.state;
-        m_sensors.assign(m_mechanism.getSensors().size(), SensorState::Armed);
     }
 
     void switchElement(const ElementId& id, bool active) {
         const Element& element = m_mechanism.getElement(id);
+        element.requireSwitchable();
+        if (active)
+            m_switchedOff.erase(id);
+        else
+            m_switchedOff.insert(id);
+        if (!m_state) return;
         if (active)
             element.enable(*m_state);
         else
@@ -194,7 +204,8 @@ private:
     ContinuedSink m_sink;
     CommandsOutcome m_outcome;
     std::vector<SensorState> m_sensors;
-    std::optional<State> m_state;
+    std::set<ElementId> m_switchedOff;
+    std::optional<State> m_state;  // from the first SIMULATE on
     bool m_switched = false;
     bool m_halted = false;
 };

@@ -91,7 +91,7 @@ public:
                     m_options.reportProgress(k == 0 ? 0 : double(k) / times.getNumSteps());
             }
         } catch (const std::exception& exception) {
-            m_outcome.failure = describeFailure(m_mechanism, m_stepper->getState(), exception.what());
+            m_outcome.failure = describeFailure(m_mechanism, m_stepper->getState(), exception);
         }
         m_outcome.summary.notFinite = m_recorder.getNotFinite();
         m_outcome.finalState = m_stepper->getState();

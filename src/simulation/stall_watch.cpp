@@ -2,10 +2,12 @@
 #include "simulation/stall_watch.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "force/marker_force_impl.h"
 #include "jprim/base/error.h"
 #include "marker/find_implementation.h"
+#include "simulation/failure.h"
 
 namespace jprim {
 
@@ -27,20 +29,22 @@ public:
     bool jumpsWithin(Real moment) {
         constexpr int Halvings = 40;
         Real same = 0, other = moment;
-        const std::vector<bool> here = findSigns(same);
+        const std::vector<int> here = findSigns(same);
         if (here.empty() || findSigns(other) == here) return false;
         for (int k = 0; k < Halvings; ++k) {
             const Real middle = (same + other) / 2;
             (findSigns(middle) == here ? same : other) = middle;
         }
-        return isJump(calcLoad(same), calcLoad(other));
+        return isJump(calcLoad(same), calcLoad(other), calcLoad(moment));
     }
 
 private:
-    static bool isJump(const SpatialVec& a, const SpatialVec& b) {
+    // What grows from nothing, as a contact does, soon is much more than at first.
+    static bool isJump(const SpatialVec& a, const SpatialVec& b, const SpatialVec& soon) {
         constexpr Real Part = 0.2;
         for (const int k : {0, 1})
-            if ((a[k] - b[k]).norm() > Part * std::max(a[k].norm(), b[k].norm())) return true;
+            if ((a[k] - b[k]).norm() > Part * std::max({a[k].norm(), b[k].norm(), soon[k].norm()}))
+                return true;
         return false;
     }
 
@@ -55,12 +59,13 @@ private:
         return m_impl.calcLoadOnI(m_nearby);
     }
 
-    std::vector<bool> findSigns(Real moment) {
+    // At rest a switch is zero, and not on either side.
+    std::vector<int> findSigns(Real moment) {
         goTo(moment);
         std::vector<TrackedExpression::Switch> switches;
         m_impl.addSwitches(m_nearby, switches);
-        std::vector<bool> signs;
-        for (const auto& s : switches) signs.push_back(s.value > 0);
+        std::vector<int> signs;
+        for (const auto& s : switches) signs.push_back((s.value > 0) - (s.value < 0));
         return signs;
     }
 
@@ -90,6 +95,7 @@ void StallWatch::observe(const State& state, Real until) {
     const Real step = (state.getTime() - m_begin) / Steps;
     m_begin = state.getTime();
     m_numSteps = 0;
+    if (step < SimTK::Eps * std::abs(state.getTime())) throw std::runtime_error(NoStepIsShortEnough);
     const bool isSlow = until - state.getTime() > TooMany * step;
     const std::string name = isSlow ? findJumpingForce(m_mechanism, state, StepsAround * step) : "";
     m_numStalled = name.empty() ? 0 : m_numStalled + 1;

@@ -20,11 +20,6 @@ public:
     virtual int getNumSteps() const = 0;
 };
 
-/// The time in which no part turns by more than a radian, at its present angular velocity w and acceleration a:
-/// w t + a t^2/2 = 1. Joint coordinates may be exact in steps of whole turns, which would not be counted. Requires
-/// Stage::Acceleration.
-SimTK::Real calcTimeOfARadian(const Mechanism& mechanism, const SimTK::State& state);
-
 /// @throws Error if there is no such integrator
 void checkIntegratorName(const std::string& name);
 

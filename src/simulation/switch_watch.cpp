@@ -71,7 +71,7 @@ Real SwitchWatch::findCrossing(const Moment& end, size_t k, Real before, Real be
 }
 
 std::optional<Excursion> SwitchWatch::check(const State& state, bool withOneWay) {
-    constexpr Real AtEnd = 0.999;
+    constexpr Real AtBegin = 2e-6, AtEnd = 0.999;
     if (isEmpty()) return std::nullopt;
     const Moment end = makeMoment(state);
     const Real h = end.time - m_start.time;
@@ -92,7 +92,7 @@ std::optional<Excursion> SwitchWatch::check(const State& state, bool withOneWay)
             if (beyond) keep(findCrossing(end, k, 0, beyond->s), findCrossing(end, k, 1, beyond->s));
         } else if (withOneWay && a.level == KinematicLevel::Position && a.value * b.value < 0) {
             const Real there = findCrossing(end, k, 0, 1);
-            if (there < AtEnd) keep(there, 1);
+            if (AtBegin < there && there < AtEnd) keep(there, 1);
         }
     }
     if (first) return first;

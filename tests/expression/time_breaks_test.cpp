@@ -65,6 +65,47 @@ TEST(TimeBreaks, OfIfLeaveItsBranchForZero) {
     EXPECT_GT(found->behind, 0.437);
 }
 
+// Both ends of it are where the function itself, to its last digit, is on one side; zero is on neither.
+TEST(TimeBreaks, LeaveZeroOnBothSides) {
+    for (const Real level : {0.5, 0.99, 0.3}) {
+        ProgramBuilder b;
+        const Operand over = b.subtract(b.call(Function::Sin, b.time()), b.number(level));
+        TimeBreaks breaks(b.finish(b.select(over, b.number(0), b.number(7), b.number(1))), 1);
+        Real after = 0;
+        for (int k = 0; k < 20; ++k) {
+            const auto found = breaks.findFirst(after, 100);
+            ASSERT_TRUE(found);
+            const Real before = std::sin(found->before) - level, behind = std::sin(found->behind) - level;
+            EXPECT_LT(before * behind, 0) << found->before;
+            after = found->behind;
+        }
+    }
+}
+
+// Zero itself is within the break, from whichever side.
+TEST(TimeBreaks, AreFoundWhereASearchEnds) {
+    ProgramBuilder b;
+    const Operand early = b.subtract(b.number(1), b.time());
+    const auto found =
+        TimeBreaks(b.finish(b.select(early, b.number(0), b.number(7), b.number(1))), 1).findFirst(0, 1);
+    ASSERT_TRUE(found);
+    EXPECT_LT(found->before, 1);
+    EXPECT_GT(found->behind, 1);
+}
+
+// Numbers next to zero are too close to each other to go on behind.
+TEST(TimeBreaks, AtZeroLeaveIt) {
+    ProgramBuilder b;
+    for (const Program& program : {b.finish(b.select(b.time(), b.number(0), b.number(0), b.number(1))),
+                                   b.finish(b.call(Function::Abs, b.time()))}) {
+        const auto found = TimeBreaks(program, 1).findFirst(-1e-3, 1e-3);
+        ASSERT_TRUE(found);
+        EXPECT_LT(found->before, 0);
+        EXPECT_GT(found->behind, 1e-24);
+        EXPECT_LT(found->behind, 1e-18);
+    }
+}
+
 TEST(TimeBreaks, OfWhatJumps) {
     ProgramBuilder b;
     expectBreaks(b.finish(b.mod(b.time(), b.number(0.7))), 3, {0.7, 1.4, 2.1, 2.8});

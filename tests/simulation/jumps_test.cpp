@@ -23,16 +23,17 @@ SimulationOutcome simulateWith(const std::string& text, double end, const std::s
 }
 
 // Slides at 1.1 m/s, and is braked by 2.3 m/s^2.
-std::string writeSliding(const std::string& friction) {
+std::string writeSliding(const std::string& friction, double speed = 1.1) {
     return fmt::format(
-        "slide\nPART/1,GROUND\nMARKER/1,REULER=90D,90D,0\nPART/2,MASS=1.9,CM=20,IP=1,1,1,VX=1.1\nMARKER/20\n"
+        "slide\nPART/1,GROUND\nMARKER/1,REULER=90D,90D,0\nPART/2,MASS=1.9,CM=20,IP=1,1,1,VX={}\nMARKER/20\n"
         "MARKER/21,REULER=90D,90D,0\nJOINT/1,TRANSLATIONAL,I=21,J=1\n"
         "SFORCE/3,TRANSLATION,ACTIONONLY,I=21,J=1,FUNCTION={}\nEND\n",
-        friction);
+        speed, friction);
 }
 
 class Jumps : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Integrators, Jumps, ::testing::Values("RungeKuttaMerson", "RungeKutta3", "Verlet"),
+INSTANTIATE_TEST_SUITE_P(Integrators, Jumps,
+                         ::testing::Values("RungeKuttaMerson", "RungeKutta3", "Verlet", "CPodes"),
                          [](const auto& info) { return info.param; });
 
 TEST_P(Jumps, OfFrictionAtRestAreNamed) {
@@ -44,6 +45,29 @@ TEST_P(Jumps, OfFrictionAtRestAreNamed) {
         EXPECT_GE(outcome.results.parts.getNumRows(), 4u);  // to 0.39; it rests at 0.478
         EXPECT_LT(outcome.results.parts.getNumRows(), 10u);
     }
+}
+
+// SIGN has no branch for zero, so that rest is on one of its sides.
+TEST(JumpsAtTheStart, OfFrictionAtRestAreNamed) {
+    for (const std::string& integrator : getIntegratorNames()) {
+        const std::string failure =
+            simulateWith(writeSliding("-SIGN(4.37,VZ(21,1,1))", 0), 1.3, integrator).failure;
+        EXPECT_NE(failure.find("SFORCE/3: its function jumps"), std::string::npos) << integrator << "\n"
+                                                                                   << failure;
+    }
+}
+
+TEST(UndefinedForces, AreNamed) {
+    for (const std::string& integrator : getIntegratorNames())
+        for (const char* function : {"SQRT(0.31-TIME)", "LOG(0.31-TIME)", "ASIN(TIME/0.31)",
+                                     "VZ(21,1,1)/ABS(VZ(21,1,1)-VZ(21,1,1))", "SQRT(0.3-DZ(21,1,1))"}) {
+            const std::string failure = simulateWith(writeSliding(function), 1.3, integrator).failure;
+            EXPECT_EQ(failure.find("at time 0"), 0u) << function << failure;
+            EXPECT_NE(failure.find("SFORCE/3: its function is infinite or not a number here"),
+                      std::string::npos)
+                << integrator << " " << function << "\n"
+                << failure;
+        }
 }
 
 // Before it comes to rest, and smoothed.
@@ -74,6 +98,51 @@ TEST(MotionJumps, AreNamed) {
                           std::string::npos)
                     << failure;
             }
+}
+
+// From the start on, and where it ends.
+TEST(MotionJumps, AtAnEndAreNamed) {
+    for (const std::string& integrator : getIntegratorNames())
+        for (const auto& [function, text] :
+             {std::pair("IF(TIME:0,0,0.1)",
+                        "at time 0: the simulation cannot go on: MOTION/7: its function jumps in position"),
+              std::pair("MAX(0,TIME)",
+                        "at time 0: the simulation cannot go on: MOTION/7: its function jumps in velocity"),
+              std::pair("ABS(TIME)",
+                        "at time 0: the simulation cannot go on: MOTION/7: its function jumps in velocity"),
+              std::pair("IF(TIME-1:0,0.1,0.1)",
+                        "at time 1: the simulation cannot go on: MOTION/7: its function jumps in position"),
+              std::pair("SQRT(0.31-TIME)", "MOTION/7: its function has no finite value here")}) {
+            const std::string failure = simulateWith(writeDriven(function), 1, integrator).failure;
+            EXPECT_NE(failure.find(text), std::string::npos) << integrator << "\n" << failure;
+        }
+    EXPECT_EQ(simulateWith(writeDriven("IF(TIME-1:0,0,0.1)"), 1, "RungeKuttaMerson").failure, "");
+}
+
+// Where nothing is free, kinks do no harm.
+TEST(MotionJumps, InKinematics) {
+    const auto run = [](const std::string& function) {
+        std::string text = writeDriven(function);
+        return simulateWith(text.erase(text.find("JOINT/2"), text.find("MOTION") - text.find("JOINT/2"))
+                                .insert(text.find("MOTION"), "JOINT/2,FIXED,I=31,J=22\n"),
+                            1, "RungeKuttaMerson");
+    };
+    for (const char* function : {"IF(TIME-0.437:0,0,1)", "IF(TIME-0.437:0.1,0.1,0.11)", "MOD(TIME,0.437)"}) {
+        const SimulationOutcome outcome = run(function);
+        EXPECT_TRUE(outcome.summary.isKinematic);
+        EXPECT_EQ(outcome.failure.find(
+                      "at time 0.437: the simulation cannot go on: MOTION/7: its function jumps in position"),
+                  0u)
+            << outcome.failure;
+    }
+    EXPECT_EQ(run("IF(TIME-0.5:0,0,1)").failure.find("at time 0.5:"), 0u);
+    for (const char* function : {"0.3*ABS(TIME-0.437)", "0.3*ABS(TIME-0.5)", "0.3*MAX(0,TIME-0.437)"}) {
+        const SimulationOutcome outcome = run(function);
+        EXPECT_EQ(outcome.failure, "");
+        EXPECT_NEAR(outcome.results.parts.getColumn("PART/2.WZ").back(), 0.3, 1e-12);
+        EXPECT_NEAR(outcome.results.parts.getColumn("PART/2.WZ").front(), function[4] == 'A' ? -0.3 : 0,
+                    1e-12);
+    }
 }
 
 // A jump of the acceleration is no harm, and no step has both sides of it.

@@ -69,6 +69,45 @@ TEST(RunCommands, ADeactivatedJointLetsGo) {
     EXPECT_EQ(outcome.results.reactions.getColumn("JOINT/1.I.FY")[3], 0);
 }
 
+// Assembly is of what is switched on at the first SIMULATE: with JOINT/2 it is impossible, or leads elsewhere.
+TEST(RunCommands, WhatIsDeactivatedBeforeTheFirstIsNotAssembled) {
+    for (const char* place : {"100,0,0", "0.3,0.4,0"}) {
+        const std::string text = fmt::format(
+            "two hinges\nACCGRAV/JGRAV=-9.81\nPART/1,GROUND\nMARKER/10\nMARKER/11,QP={}\n"
+            "PART/2,MASS=2,CM=20,IP=0.1,0.1,0.2\nMARKER/20,QP=0.5,0,0\nMARKER/21\nJOINT/1,REVOLUTE,I=21,J=10\n"
+            "JOINT/2,REVOLUTE,I=20,J=11\nEND\n",
+            place);
+        const std::string once = "SIMULATE/DYNAMICS, END=0.3, STEPS=3\n";
+        const CommandsOutcome swinging = run(Pendulum, once);
+        const CommandsOutcome outcome =
+            run(text.c_str(), "DEACTIVATE/JOINT, ID=2\n" + once, 1e-8, Formulation::Constraints);
+        ASSERT_EQ(outcome.failure, "") << place;
+        for (const char* name : {"PART/2.X", "PART/2.Y"})
+            for (size_t row = 0; row < 4; ++row)
+                EXPECT_NEAR(outcome.results.parts.getColumn(name)[row],
+                            swinging.results.parts.getColumn(name)[row], 1e-6)
+                    << place << " " << name << " " << row;
+    }
+}
+
+// Nor do values given for it count; switched on again, they do.
+TEST(RunCommands, WhatIsDeactivatedGivesNoInitialValues) {
+    const std::string text =
+        "ic\nPART/1,GROUND\nMARKER/10\nPART/2,MASS=2,CM=20,IP=0.1,0.1,0.2\nMARKER/20,QP=0.5,0,0\nMARKER/21\n"
+        "JOINT/1,REVOLUTE,I=21,J=10,IC=30D,1\nEND\n";
+    const auto getFirst = [&](const std::string& commands, const char* column) {
+        const CommandsOutcome outcome = run(text.c_str(), commands + "SIMULATE/DYNAMICS, END=0.1, STEPS=1\n",
+                                            1e-8, Formulation::Constraints);
+        EXPECT_EQ(outcome.failure, "");
+        return outcome.results.parts.getColumn(column).at(0);
+    };
+    const std::string off = "DEACTIVATE/JOINT, ID=1\n", on = "ACTIVATE/JOINT, ID=1\n";
+    EXPECT_EQ(getFirst(off, "PART/2.Y"), 0);
+    EXPECT_EQ(getFirst(off, "PART/2.WZ"), 0);
+    EXPECT_NEAR(getFirst(off + on, "PART/2.Y"), 0.25, 1e-9);
+    EXPECT_NEAR(getFirst(off + on, "PART/2.WZ"), 1, 1e-9);
+}
+
 TEST(RunCommands, StaticsHangsThePendulumAndDynamicsLeavesItThere) {
     const CommandsOutcome outcome = run(Pendulum, "SIMULATE/STATICS\nSIMULATE/DYNAMICS, END=1, STEPS=2\n");
     constexpr double Exact = 1e-7;

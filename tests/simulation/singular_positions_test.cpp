@@ -117,7 +117,8 @@ std::string describeFailureAtAngle(int fourBars, Formulation formulation, double
     const Mechanism mechanism = testing::buildOrFail(
         testing::writeFourBars(fourBars, 0.5 * SimTK::Pi + fromHorizontal), {formulation});
     const SimTK::State state = assemble(mechanism).state;
-    return describeFailure(mechanism, state, "Integrator step failed: Unable to advance time past 0.");
+    return describeFailure(mechanism, state,
+                           std::runtime_error("Integrator step failed: Unable to advance time past 0."));
 }
 
 TEST(SingularPositions, AFailureThereNamesThem) {

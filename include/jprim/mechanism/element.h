@@ -52,6 +52,8 @@ struct Element {
     ///@{
     [[nodiscard]] bool isDisabled(const SimTK::State& state) const;
     /// @throws Error if a mobilizer stands for the element
+    void requireSwitchable() const;
+    /// @throws Error as requireSwitchable()
     void disable(SimTK::State& state) const;
     void enable(SimTK::State& state) const;
     ///@}

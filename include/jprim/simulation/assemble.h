@@ -2,6 +2,7 @@
 #ifndef JPRIM_SIMULATION_ASSEMBLE_H_
 #define JPRIM_SIMULATION_ASSEMBLE_H_
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,9 @@ private:
 /// @throws AssemblyError naming what cannot be met: the constraint that stays violated, or the given coordinate
 /// @throws Error if no velocities satisfy the constraints
 AssembledState assemble(const Mechanism& mechanism);
+
+/// The same with some elements switched off: neither they nor values given for them count.
+AssembledState assemble(const Mechanism& mechanism, const std::set<ElementId>& switchedOff);
 
 /// The same from a State in the course of a run, after constraints were switched on or off: positions close
 /// to the present ones, and of the velocities that the constraints allow the nearest.
