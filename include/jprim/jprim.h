@@ -19,6 +19,7 @@
 #include "jprim/dataset/constraint_statements.h"
 #include "jprim/dataset/dataset.h"
 #include "jprim/dataset/force_statements.h"
+#include "jprim/dataset/graphics_statement.h"
 #include "jprim/dataset/read_dataset.h"
 #include "jprim/dataset/source_text.h"
 #include "jprim/dataset/write_dataset.h"
