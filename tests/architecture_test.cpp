@@ -37,9 +37,10 @@ const std::map<std::string, Rooms> AllowedUses = {
     {"simulation",
      {"base", "expression", "linear_algebra", "marker", "general", "force", "joint", "analysis", "dataset",
       "build", "results"}},
+    {"report", {"base", "flexible", "marker", "dataset", "build", "results", "simulation"}},
     {"tool",
      {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
-      "dataset", "build", "results", "simulation"}}};
+      "dataset", "build", "results", "simulation", "report"}}};
 
 std::vector<fs::path> findFiles(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;
