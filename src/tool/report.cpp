@@ -22,7 +22,7 @@ void analyze(const Dataset& dataset, ReportNotes& notes) {
     Diagnostics known;  // those of the run's mechanism are the same
     Model model{dataset, {}, buildMechanism(dataset, known, {Formulation::Constraints})};
     if (!model.mechanism) return;
-    if (model.mechanism->getMatter().getNumMobilities() > MostSpeeds) {
+    if (model.mechanism->makeGivenState().getNU() > MostSpeeds) {
         notes.analysis = {"too large to be analysed in passing; `jprim check` does it"};
         return;
     }
