@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a browser reads in a report is what was recorded.
+#include "jprim/report/write_report.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "report/describe.h"
+#include "report/report_reader.h"
+#include "support/expect_error.h"
+#include "support/run_dataset.h"
+
+namespace jprim {
+namespace {
+
+using testing::ReportReader;
+
+/// A dataset that has been run, and its report.
+class Reported {
+public:
+    explicit Reported(const std::string& text, const ReportNotes& notes = {}, double end = 1, int steps = 20)
+        : dataset(read(text)), mechanism(testing::buildOrFail(text)) {
+        if (!canWriteReports()) return;
+        results = testing::run(mechanism, end, steps, 1e-6).results;
+        const std::string path = (std::filesystem::temp_directory_path() /
+                                  ("jprim_report_test_" + std::to_string(getpid()) + ".html"))
+                                     .string();
+        writeReport(dataset, mechanism, results, path, notes);
+        report = std::make_unique<ReportReader>(path);
+        std::filesystem::remove(path);
+    }
+
+    static Dataset read(const std::string& text) {
+        Diagnostics diagnostics;
+        return readDataset(text, diagnostics);
+    }
+
+    Dataset dataset;
+    Mechanism mechanism;
+    Results results;
+    std::unique_ptr<ReportReader> report;
+};
+
+#define REQUIRE_PAGE(reported) \
+    if (!(reported).report) GTEST_SKIP() << "jprim was built without the page of reports"
+
+// A double pendulum in millimetres; of the first arm the CM marker is turned, the second has a body coordinate system
+// elsewhere.
+const char* const Pendulum =
+    "double pendulum\nUNITS/FORCE=NEWTON,MASS=KILOGRAM,LENGTH=MILLIMETER,TIME=SECOND\nACCGRAV/JGRAV=-9806.65\n"
+    "PART/1,GROUND\nMARKER/10\n"
+    "PART/2,MASS=2,CM=20,IP=100,200,300\nMARKER/20,QP=50,0,0,REULER=0.1,0.2,0.3\nMARKER/21\nMARKER/22,QP=100,0,0\n"
+    "PART/3,QG=100,0,0,REULER=0.5,0,0,MASS=1,CM=30,IM=31,IP=100,3000,3000,1,2,3\nMARKER/30,QP=40,0,0\nMARKER/31\n"
+    "JOINT/1,REVOLUTE,I=21,J=10\nJOINT/2,REVOLUTE,I=31,J=22\nREQUEST/1,DISPLACEMENT,I=30\n"
+    "SPRINGDAMPER/1,TRANSLATION,I=30,J=10,K=0.1\n";
+
+TEST(Report, FramesAreWherePartsWere) {
+    const Reported r(Pendulum);
+    REQUIRE_PAGE(r);
+    const auto& json = r.report->json;
+    const std::vector<double> times = r.report->read(json["frames"]["time"]),
+                              poses = r.report->read(json["frames"]["poses"]);
+    EXPECT_EQ(times, r.results.parts.getColumn("time"));
+    ASSERT_EQ(poses.size(), 21u * 3 * 7);
+    // The CM marker's place on the part, from the dataset, must lead to what parts.csv says.
+    const SimTK::Transform X_BC[] = {
+        {}, {SimTK::Rotation(), SimTK::Vec3(50, 0, 0)}, {SimTK::Rotation(), SimTK::Vec3(40, 0, 0)}};
+    for (size_t row = 0; row < 21; ++row)
+        for (size_t part = 1; part < 3; ++part) {
+            const double* const p = poses.data() + (row * 3 + part) * 7;
+            const SimTK::Rotation R(SimTK::Quaternion(SimTK::Vec4(p[3], p[4], p[5], p[6])));
+            const SimTK::Vec3 cm = SimTK::Transform(R, SimTK::Vec3(p[0], p[1], p[2])) * X_BC[part].p();
+            const std::string name = part == 1 ? "PART/2." : "PART/3.";
+            for (int k = 0; k < 3; ++k)
+                EXPECT_NEAR(cm[k], r.results.parts.getColumn(name + "XYZ"[k])[row], 1e-4) << name << row;
+        }
+}
+
+TEST(Report, TablesHaveEveryDigit) {
+    const Reported r(Pendulum);
+    REQUIRE_PAGE(r);
+    const std::pair<const char*, const Table*> tables[] = {{"requests", &r.results.requests},
+                                                           {"reactions", &r.results.reactions},
+                                                           {"parts", &r.results.parts},
+                                                           {"energy", &r.results.parts}};
+    for (const auto& [name, table] : tables) {
+        const auto written = r.report->findTable(name);
+        ASSERT_FALSE(written.is_null()) << name;
+        const std::vector<double> data = r.report->read(written["data"]);
+        const size_t rows = table->getNumRows();
+        EXPECT_EQ(r.report->read(written["time"]), table->getColumn("time"));
+        for (size_t k = 0; k < written["columns"].size(); ++k)
+            EXPECT_EQ(std::vector<double>(data.begin() + std::ptrdiff_t(k * rows),
+                                          data.begin() + std::ptrdiff_t((k + 1) * rows)),
+                      table->getColumn(written["columns"][k]["name"]));
+    }
+    const auto requests = r.report->findTable("requests")["columns"];
+    EXPECT_EQ(requests[0]["name"], "R1.MAG");
+    EXPECT_EQ(requests[0]["unit"], "mm");
+    EXPECT_EQ(requests[0]["element"], "REQUEST/1");
+    EXPECT_EQ(requests[6]["unit"], "rad");
+    EXPECT_EQ(r.report->findTable("reactions")["columns"][3]["unit"], "N mm");
+    EXPECT_EQ(r.report->findTable("energy")["columns"].size(), 3u);
+}
+
+TEST(Report, TheModelIsTheDatasets) {
+    const Reported r(Pendulum);
+    REQUIRE_PAGE(r);
+    const auto& json = r.report->json;
+    EXPECT_EQ(json["title"], "double pendulum");
+    EXPECT_EQ(json["units"].dump(), R"({"force":"N","length":"mm","mass":"kg","time":"s"})");
+    EXPECT_NEAR(json["gravity"][1].get<double>(), -9806.65, 1e-9);
+    ASSERT_EQ(json["parts"].size(), 3u);
+    EXPECT_EQ(json["parts"][0]["ground"], true);
+    EXPECT_EQ(json["parts"][2]["parent"], "PART/2");
+    EXPECT_EQ(json["parts"][2]["joint"], "Pin: JOINT/2");
+    EXPECT_NEAR(json["parts"][2]["mass"].get<double>(), 1, 1e-12);
+    // About the mass centre; products keep the sign that Adams gives them.
+    const double inertia[] = {100, 3000 - 1600, 3000 - 1600, 1, 2, 3};
+    for (size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(json["parts"][2]["inertia"][k].get<double>(), inertia[k], 1e-9) << k;
+    EXPECT_EQ(json["markers"][3]["id"], 22);
+    EXPECT_EQ(json["markers"][3]["part"], 1);
+    EXPECT_NEAR(json["markers"][3]["pose"][0].get<double>(), 100, 1e-9);
+    EXPECT_EQ(json["elements"][0]["id"], "JOINT/1");
+    EXPECT_EQ(json["elements"][0]["type"], "REVOLUTE");
+    EXPECT_EQ(json["elements"][1]["i"], 31);
+    EXPECT_EQ(json["elements"][1]["j"], 22);
+    const size_t first = json["elements"][1]["loadOnI"];
+    EXPECT_EQ(r.report->findTable("reactions")["columns"][first]["name"], "JOINT/2.I.FX");
+    EXPECT_EQ(json["elements"].back()["id"], "SPRINGDAMPER/1");
+    EXPECT_EQ(json["elements"].back()["isForce"], true);
+    EXPECT_TRUE(json["elements"].back()["loadOnI"].is_null());
+}
+
+TEST(Report, GraphicsThatAreDrawn) {
+    const Reported r(
+        std::string(Pendulum) +
+        "GRAPHICS/1,CYLINDER,CM=20,LENGTH=5,RADIUS=2\nGRAPHICS/2,BOX,CORNER=20,X=1,Y=2,Z=3\n"
+        "GRAPHICS/3,CIRCLE,CM=21,RM=22\nGRAPHICS/4,OUTLINE=10,21,22\nGRAPHICS/5,SPDP,I=30,J=10,COILS=7,DA=4\n"
+        "GRAPHICS/6,POINT,RM=10\nGRAPHICS/7,ARC,CM=21,RADIUS=1,RANGLE=90D\n");
+    REQUIRE_PAGE(r);
+    const auto& graphics = r.report->json["graphics"];
+    ASSERT_EQ(graphics.size(), 6u);
+    EXPECT_EQ(graphics[0].dump(),
+              R"({"id":"GRAPHICS/1","marker":20,"shape":"CYLINDER","values":{"length":5.0,"radius":2.0}})");
+    EXPECT_EQ(graphics[1]["marker"], 20);
+    EXPECT_EQ(graphics[1]["values"].dump(), R"({"x":1.0,"y":2.0,"z":3.0})");
+    EXPECT_NEAR(graphics[2]["values"]["radius"].get<double>(), 100, 1e-9);
+    EXPECT_EQ(graphics[3]["points"].dump(), "[10,21,22]");
+    EXPECT_EQ(graphics[4]["shape"], "SPDP");
+    EXPECT_EQ(graphics[4]["i"], 30);
+    EXPECT_EQ(graphics[4]["values"].dump(), R"({"coils":7.0,"da":4.0})");
+    EXPECT_NEAR(graphics[5]["values"]["angle"].get<double>(), SimTK_PI / 2, 1e-12);
+}
+
+TEST(Report, TextsCannotEndTheirElement) {
+    const std::string hostile =
+        "</script><script>window.hostile = 1</script> \"quotes\" 'ä' \\ <!-- é & 日本";
+    std::string text = Pendulum;
+    text.replace(0, text.find('\n'), hostile);
+    ReportNotes notes;
+    notes.datasetText = text + "! </SCRIPT >\xff\n";
+    notes.file = "</script>.adm";
+    notes.summary = {"<!--<script>"};
+    notes.warnings = {{"a</script>", {Severity::Warning, {3, 4}, "</script>"}}};
+    const Reported r(text, notes);
+    REQUIRE_PAGE(r);
+    const auto& json = r.report->json;
+    EXPECT_EQ(json["title"], hostile);
+    EXPECT_EQ(json["text"]["file"], "</script>.adm");
+    EXPECT_EQ(json["text"]["dataset"], text + "! </SCRIPT >\xEF\xBF\xBD\n");
+    EXPECT_EQ(json["text"]["warnings"][0]["where"], "a</script>:3:4");
+    EXPECT_EQ(json["text"]["warnings"][0]["severity"], "warning");
+    EXPECT_EQ(json["text"]["summary"][0], "<!--<script>");
+}
+
+TEST(Report, ResultsOfAnotherModelAreRefused) {
+    const Reported r(Pendulum);
+    REQUIRE_PAGE(r);
+    Results other = r.results;
+    other.parts.columns[1] = "PART/9.X";
+    EXPECT_EQ(testing::catchError([&] { writeReport(r.dataset, r.mechanism, other, "none.html"); }),
+              "PART/2.X: is not a column of the results; they are not of this model");
+    other = r.results;
+    other.requests.columns.pop_back();
+    EXPECT_EQ(testing::catchError([&] { writeReport(r.dataset, r.mechanism, other, "none.html"); }),
+              "results: have other columns than the model; they are not of this model");
+    EXPECT_EQ(
+        testing::catchError([&] { writeReport(r.dataset, r.mechanism, r.results, "no/such/folder.html"); }),
+        "no/such/folder.html: cannot be written");
+}
+
+TEST(Report, WhatMattersLeastIsLeftOutFirst) {
+    const Reported r(Pendulum);
+    REQUIRE_PAGE(r);
+    const auto describe = [&](size_t bytes) {
+        ReportData data;
+        std::vector<std::string> omitted;
+        const Json tables = describeTables(r.dataset, r.mechanism, r.results, bytes, data, omitted);
+        std::string kept;
+        for (const Json& table : tables)
+            kept += table["name"].get<std::string>() + " " + std::to_string(table["columns"].size()) + " " +
+                    table["data"]["type"].get<std::string>() + "; ";
+        return kept + std::to_string(omitted.size());
+    };
+    EXPECT_EQ(describe(100000), "requests 7 f64; energy 3 f64; reactions 24 f64; parts 26 f64; 0");
+    EXPECT_EQ(describe(21 * 8 * (10 + 24)), "requests 7 f64; energy 3 f64; reactions 24 f64; 1");
+    EXPECT_EQ(describe(21 * 8 * (10 + 12)), "requests 7 f64; energy 3 f64; reactions 12 f64; 2");
+    EXPECT_EQ(describe(0), "requests 7 f64; energy 3 f64; reactions 12 f32; 3");
+}
+
+}  // namespace
+}  // namespace jprim
