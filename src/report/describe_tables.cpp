@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Requests, reactions, energies and what parts do. What matters least is left out first where it is too much for a file.
 #include <algorithm>
-#include <numeric>
+#include <functional>
 
 #include "base/format.h"
 #include "jprim/base/error.h"
@@ -44,42 +44,62 @@ bool isOnJ(const ColumnDescription& column) {
     return column.name.rfind(column.element + ".J.", 0) == 0;
 }
 
+/// Every stride-th row.
 template <class T>
-std::vector<T> collect(const Selection& s) {
+std::vector<T> collect(const Selection& s, size_t stride) {
     const size_t rows = s.table.getNumRows(), width = s.table.columns.size();
     std::vector<T> values;
-    values.reserve(s.getNumValues());
+    values.reserve(s.getNumValues() / stride + s.columns.size());
     for (const size_t column : s.columns)
-        for (size_t row = 0; row < rows; ++row) values.push_back(T(s.table.values[row * width + column]));
+        for (size_t row = 0; row < rows; row += stride)
+            values.push_back(T(s.table.values[row * width + column]));
     return values;
 }
 
 /// Adds tables while there is room.
 class TableWriter {
 public:
-    TableWriter(const Dataset& dataset, size_t bytes, ReportData& data)
-        : m_units(findUnitNames(dataset)), m_left(bytes), m_data(data) {}
+    TableWriter(const Dataset& dataset, size_t bytes, ReportData& data, std::vector<std::string>& omitted)
+        : m_units(findUnitNames(dataset)), m_left(bytes), m_data(data), m_omitted(omitted) {}
 
-    bool fits(const Selection& s, size_t bytesOfNumber) const {
-        return s.getNumValues() * bytesOfNumber <= m_left;
+    bool fits(const Selection& s) const { return s.getNumValues() * sizeof(double) <= m_left; }
+
+    void add(const Selection& s) {
+        m_left -= std::min(m_left, s.getNumValues() * sizeof(double));
+        add(s, 1, m_data.addArray(collect<double>(s, 1), {s.columns.size(), s.table.getNumRows()}));
     }
 
-    void add(const Selection& s, bool inFull) {
-        m_left -= std::min(m_left, s.getNumValues() * (inFull ? 8 : 4));
-        const std::vector<size_t> shape = {s.columns.size(), s.table.getNumRows()};
-        Json columns = Json::array();
-        for (const size_t k : s.columns) columns.push_back(makeColumn(s.descriptions[k]));
-        const Selection time{"time", s.table, s.descriptions, {0}};
-        m_tables.push_back({{"name", s.name},
-                            {"columns", columns},
-                            {"time", m_data.addArray(collect<double>(time), {s.table.getNumRows()})},
-                            {"data", inFull ? m_data.addArray(collect<double>(s), shape)
-                                            : m_data.addArray(collect<float>(s), shape)}});
+    /// With fewer digits where it would not fit, and with fewer rows where that is too much too.
+    void addAsFits(const Selection& s) {
+        if (fits(s)) return add(s);
+        const size_t bytes = s.getNumValues() * sizeof(float);
+        const size_t stride = 1 + (bytes - 1) / std::max<size_t>(m_left, 1);
+        const size_t used = std::min(stride, std::max<size_t>(s.table.getNumRows() / FewestRows, 1));
+        m_left -= std::min(m_left, bytes / used);
+        const size_t rows = (s.table.getNumRows() + used - 1) / used;
+        add(s, used, m_data.addArray(collect<float>(s, used), {s.columns.size(), rows}));
+        m_omitted.push_back(fmt::format("digits of {0} beyond the seventh: see {0}.csv", s.name));
+        if (used > 1)
+            m_omitted.push_back(
+                fmt::format("all but every {}th row of {}, and with them perhaps largest values: see {}.csv",
+                            used, s.name, s.name));
     }
 
     const Json& getTables() const { return m_tables; }
 
 private:
+    static constexpr size_t FewestRows = 100;
+
+    void add(const Selection& s, size_t stride, Json data) {
+        Json columns = Json::array();
+        for (const size_t k : s.columns) columns.push_back(makeColumn(s.descriptions[k]));
+        const std::vector<double> times = collect<double>({"time", s.table, s.descriptions, {0}}, stride);
+        m_tables.push_back({{"name", s.name},
+                            {"columns", columns},
+                            {"time", m_data.addArray(times, {times.size()})},
+                            {"data", std::move(data)}});
+    }
+
     Json makeColumn(const ColumnDescription& column) const {
         return {{"name", column.name},
                 {"unit", m_units.getName(column.dimension)},
@@ -89,6 +109,7 @@ private:
     UnitNames m_units;
     size_t m_left;
     ReportData& m_data;
+    std::vector<std::string>& m_omitted;
     Json m_tables = Json::array();
 };
 
@@ -102,21 +123,21 @@ Json describeTables(const Dataset& dataset, const Mechanism& mechanism, const Re
     checkColumns(results.parts, columns.parts);
     const auto all = [](const ColumnDescription&) { return true; };
     const auto isEnergy = [](const ColumnDescription& c) { return c.element.empty(); };
-    TableWriter writer(dataset, bytes, data);
-    writer.add(select("requests", results.requests, columns.requests, all), true);
-    writer.add(select("energy", results.parts, columns.parts, isEnergy), true);
+    TableWriter writer(dataset, bytes, data, omitted);
+    writer.addAsFits(select("requests", results.requests, columns.requests, all));
+    writer.add(select("energy", results.parts, columns.parts, isEnergy));
 
     const Selection reactions = select("reactions", results.reactions, columns.reactions, all);
-    const Selection onI = select("reactions", results.reactions, columns.reactions,
-                                 [](const ColumnDescription& c) { return !isOnJ(c); });
-    const bool isComplete = writer.fits(reactions, 8), isSingle = !isComplete && !writer.fits(onI, 8);
-    writer.add(isComplete ? reactions : onI, !isSingle);
-    if (!isComplete) omitted.push_back("reactions on markers J: see reactions.csv");
-    if (isSingle) omitted.push_back("digits of reactions beyond the seventh: see reactions.csv");
-
+    if (writer.fits(reactions)) {
+        writer.add(reactions);
+    } else {
+        omitted.push_back("reactions on markers J: see reactions.csv");
+        writer.addAsFits(select("reactions", results.reactions, columns.reactions,
+                                [](const ColumnDescription& c) { return !isOnJ(c); }));
+    }
     const Selection parts = select("parts", results.parts, columns.parts, std::not_fn(isEnergy));
-    if (writer.fits(parts, 8))
-        writer.add(parts, true);
+    if (writer.fits(parts))
+        writer.add(parts);
     else
         omitted.push_back("velocities of parts: see parts.csv");
     return writer.getTables();

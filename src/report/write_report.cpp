@@ -15,7 +15,7 @@ namespace jprim {
 namespace {
 
 // Of numbers, before base64 makes them a third longer: with the page it is a file that can still be mailed and opened.
-constexpr size_t MostBytes = 42'000'000;
+constexpr size_t MostBytes = 43'000'000;
 constexpr size_t MostBytesOfPoses = 30'000'000;
 
 Json makeUnits(const Dataset& dataset) {

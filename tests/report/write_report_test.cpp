@@ -193,7 +193,7 @@ TEST(Report, ResultsOfAnotherModelAreRefused) {
 }
 
 TEST(Report, WhatMattersLeastIsLeftOutFirst) {
-    const Reported r(Pendulum);
+    const Reported r(Pendulum, {}, 1, 300);
     REQUIRE_PAGE(r);
     const auto describe = [&](size_t bytes) {
         ReportData data;
@@ -202,13 +202,17 @@ TEST(Report, WhatMattersLeastIsLeftOutFirst) {
         std::string kept;
         for (const Json& table : tables)
             kept += table["name"].get<std::string>() + " " + std::to_string(table["columns"].size()) + " " +
-                    table["data"]["type"].get<std::string>() + "; ";
+                    table["data"]["type"].get<std::string>() + " " + table["data"]["shape"].dump() + "; ";
         return kept + std::to_string(omitted.size());
     };
-    EXPECT_EQ(describe(100000), "requests 7 f64; energy 3 f64; reactions 24 f64; parts 26 f64; 0");
-    EXPECT_EQ(describe(21 * 8 * (10 + 24)), "requests 7 f64; energy 3 f64; reactions 24 f64; 1");
-    EXPECT_EQ(describe(21 * 8 * (10 + 12)), "requests 7 f64; energy 3 f64; reactions 12 f64; 2");
-    EXPECT_EQ(describe(0), "requests 7 f64; energy 3 f64; reactions 12 f32; 3");
+    const size_t rows = 301;
+    const std::string first = "requests 7 f64 [7,301]; energy 3 f64 [3,301]; ";
+    EXPECT_EQ(describe(1000000), first + "reactions 24 f64 [24,301]; parts 26 f64 [26,301]; 0");
+    EXPECT_EQ(describe(rows * 8 * (10 + 24)), first + "reactions 24 f64 [24,301]; 1");
+    EXPECT_EQ(describe(rows * 8 * (10 + 12)), first + "reactions 12 f64 [12,301]; 2");
+    EXPECT_EQ(describe(rows * 8 * (10 + 6)), first + "reactions 12 f32 [12,301]; 3");
+    EXPECT_EQ(describe(rows * 8 * (10 + 3)), first + "reactions 12 f32 [12,151]; 4");
+    EXPECT_EQ(describe(0), "requests 7 f32 [7,101]; energy 3 f64 [3,301]; reactions 12 f32 [12,101]; 6");
 }
 
 }  // namespace
