@@ -13,7 +13,10 @@ declare global {
 
 export function testInterface(app: App, columns: Columns, plots: PlotPanel, picture: Picture | null) {
   return {
-    setTime: (t: number) => app.setTime(t),
+    setTime: (t: number) => {
+      app.pause();
+      app.setTime(t);
+    },
     getTime: () => app.time,
     getPartMatrix: (id: string) => {
       picture?.update();

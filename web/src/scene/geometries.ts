@@ -57,6 +57,12 @@ export function roundDoubleArrow(): BufferGeometry {
   ]);
 }
 
+/** The border of a square of half width 1 in the xy plane. */
+export function squareFrame(): BufferGeometry {
+  const side = () => new BoxGeometry(2, 0.06, 0.06).translate(0, 1, 0);
+  return mergeGeometries([0, 1, 2, 3].map((k) => side().rotateZ(k * halfTurn)));
+}
+
 /** A coil spring of radius 1 from z = 0 to 1. */
 export function coil(turns: number): BufferGeometry {
   const points: Vector3[] = [new Vector3(0, 0, 0), new Vector3(0, 0, 0.08)];
