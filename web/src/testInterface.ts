@@ -43,6 +43,6 @@ export function testInterface(app: App, columns: Columns, plots: PlotPanel, pict
     play: () => app.play(),
     pause: () => app.pause(),
     fps: () => picture?.viewer.fps() ?? 0,
-    renderInfo: () => picture?.viewer.info() ?? { calls: 0, triangles: 0 },
+    renderInfo: () => picture?.viewer.info() ?? { calls: 0, triangles: 0, frames: 0 },
   };
 }

@@ -17,8 +17,8 @@ const toAxis = {
 
 const cores = {
   cube: { geometry: 'cube', make: box, local: scaling(0.36, 0.36, 0.36) },
-  line: { geometry: 'rod', make: rod, local: scaling(0.05, 0.05, 3.2).multiply(new Matrix4().makeTranslation(0, 0, -0.5)) },
-  plane: { geometry: 'square', make: squareFrame, local: scaling(1.15, 1.15, 1) },
+  line: { geometry: 'rod', make: rod, local: scaling(0.09, 0.09, 1.1).multiply(new Matrix4().makeTranslation(0, 0, -0.5)) },
+  plane: { geometry: 'square', make: squareFrame, local: scaling(0.95, 0.95, 1) },
   ball: { geometry: 'ball', make: () => ball(14), local: scaling(0.2, 0.2, 0.2) },
 };
 

@@ -117,9 +117,9 @@ export class Viewer {
     return this.drawnAt.filter((at) => at > last - 1000).length;
   }
 
-  info(): { calls: number; triangles: number } {
-    const { calls, triangles } = this.renderer.info.render;
-    return { calls, triangles };
+  info(): { calls: number; triangles: number; frames: number } {
+    const { calls, triangles, frame } = this.renderer.info.render;
+    return { calls, triangles, frames: frame };
   }
 
   private draw(): void {
