@@ -105,7 +105,7 @@ async function clickOn(id, dx = 0, dy = 0) {
 }
 
 test('a click in the picture selects in the picture, the tree and the table', async () => {
-  await setTime(0.3);
+  await setTime(0.8);
   await clickOn('PART/3');
   assert.equal(await selection(), 'PART/3');
   assert.equal(await page.$eval('.name-label', (e) => e.textContent), 'PART/3');
