@@ -23,6 +23,7 @@ export async function openBrowser() {
 /** Opens a page and records what must not happen: errors, dialogs, requests for anything but the page itself. */
 export async function openPage(browser, address, { width = 1280, height = 720, dark = false, mobile = false, reducedMotion = true } = {}) {
   const page = await browser.newPage();
+  page.setDefaultNavigationTimeout(120_000);
   const trouble = [];
   const requests = [];
   page.on('console', (message) => ['error', 'warn'].includes(message.type()) && !isDriverRemark(message.text()) && trouble.push(message.text()));
