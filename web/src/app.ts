@@ -16,6 +16,7 @@ export class App {
   private readonly secondsPerUnit: number;
   private readonly listeners = new Map<Event, (() => void)[]>();
   private lastTick = 0;
+  private once = false;
 
   constructor(readonly frameTimes: Float64Array, timeUnit: string) {
     this.start = frameTimes[0] ?? 0;
@@ -42,7 +43,8 @@ export class App {
     this.emit('selection');
   }
 
-  play(): void {
+  play(once = false): void {
+    this.once = once;
     if (this.playing || this.end <= this.start) return;
     if (this.time >= this.end) this.setTime(this.start);
     this.playing = true;
@@ -68,7 +70,7 @@ export class App {
     this.lastTick = now;
     const next = this.time + (passed * this.speed) / this.secondsPerUnit;
     if (next < this.end) this.setTime(next);
-    else if (this.loop) this.setTime(this.start + ((next - this.start) % (this.end - this.start)));
+    else if (this.loop && !this.once) this.setTime(this.start + ((next - this.start) % (this.end - this.start)));
     else this.stopAtEnd();
   }
 

@@ -20,6 +20,8 @@ import { Tabs } from './ui/tabs';
 import { TimeBar } from './ui/timeBar';
 import { Tree } from './ui/tree';
 
+const mostPartsPlayedUnasked = 300;
+
 function describer(report: Report): (id: string | null) => string {
   const partOf = new Map(report.markers.map(({ id, part }) => [id, report.parts[part]?.id ?? '']));
   const ground = report.parts.find((part) => part.ground)?.id ?? 'ground';
@@ -83,6 +85,8 @@ function buildPage(root: HTMLElement, results: Results): void {
   listenToKeys(app, drawn?.viewer ?? null, () => plots.search.input.focus());
   drawn?.viewer.resize(drawn.element.clientWidth, drawn.element.clientHeight);
   drawn?.viewer.first();
+  const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  if (drawn && !calm && report.parts.length <= mostPartsPlayedUnasked) app.play(true);
   Object.assign(window.jprim, testInterface(app, columns, plots, drawn));
 }
 

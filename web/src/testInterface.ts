@@ -13,7 +13,10 @@ declare global {
 
 export function testInterface(app: App, columns: Columns, plots: PlotPanel, picture: Picture | null) {
   return {
-    setTime: (t: number) => app.setTime(t),
+    setTime: (t: number) => {
+      app.pause();
+      app.setTime(t);
+    },
     getTime: () => app.time,
     getPartMatrix: (id: string) => {
       picture?.update();
@@ -40,6 +43,6 @@ export function testInterface(app: App, columns: Columns, plots: PlotPanel, pict
     play: () => app.play(),
     pause: () => app.pause(),
     fps: () => picture?.viewer.fps() ?? 0,
-    renderInfo: () => picture?.viewer.info() ?? { calls: 0, triangles: 0 },
+    renderInfo: () => picture?.viewer.info() ?? { calls: 0, triangles: 0, frames: 0 },
   };
 }

@@ -41,7 +41,7 @@ function distinct(peaks: Peak[]): Peak[] {
 }
 
 function ofLoads(loads: Load[], which: 'force' | 'torque'): Peak[] {
-  const peaks = loads.map((load) => peakOf(load[which], load.name)).filter((peak) => Number.isFinite(peak.value));
+  const peaks = loads.map((load) => peakOf(load[which], load.name.replace(/\.([IJ])$/, ' on $1'))).filter((peak) => Number.isFinite(peak.value));
   const overall = Math.max(0, ...peaks.map((peak) => peak.value));
   return distinct(peaks.filter((peak) => peak.value > 1e-9 * overall)).sort(bySize);
 }

@@ -53,7 +53,7 @@ export class PlotPanel {
     const plot = inNewPlot || !this.active ? this.addPlot() : this.active;
     this.activate(plot);
     plot.add(column);
-    plot.element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    this.reveal(plot);
   }
 
   /** Makes sure that a curve is to be seen: where it already is, or in the plot used last if its unit fits. */
@@ -63,11 +63,20 @@ export class PlotPanel {
     if (present) this.activate(present);
     else if (fitting) this.activate(fitting);
     if (!present) this.addCurve(column, !fitting);
-    this.active?.element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    if (this.active) this.reveal(this.active);
   }
 
   csv(): string {
     return toCsv((this.active ?? this.plots[0])?.columns ?? []);
+  }
+
+  // Within the row of plots only: the page itself stays where it is.
+  private reveal({ element }: Plot): void {
+    const { scrollLeft, clientWidth, offsetLeft } = this.row;
+    const start = element.offsetLeft - offsetLeft;
+    const end = start + element.offsetWidth;
+    if (start < scrollLeft) this.row.scrollLeft = start;
+    else if (end > scrollLeft + clientWidth) this.row.scrollLeft = end - clientWidth;
   }
 
   private activate(plot: Plot): void {

@@ -134,7 +134,7 @@ export class Plot {
       hooks: {
         ready: [(chart) => this.listen(chart)],
         setCursor: [(chart) => this.follow(chart)],
-        setScale: [(chart, key) => key === 'x' && chart === this.chart && this.showTime()],
+        draw: [(chart) => chart === this.chart && this.showTime()],
       },
     };
   }
@@ -149,6 +149,7 @@ export class Plot {
       width: chosen ? 3 : 1.5,
       dash: dashes[Math.floor(k / 2) % dashes.length],
       spanGaps: true,
+      pxAlign: 0,
       points: { show: false },
     };
   }

@@ -83,8 +83,9 @@ export class Batch {
     else this.hiddenIds.delete(id);
   }
 
-  isHidden(item: Item): boolean {
-    return this.hiddenIds.has(item.id);
+  /** Whether the instance is to be seen: not hidden, and with ends that differ. */
+  isPlaced({ item, mesh, index }: Placed): boolean {
+    return !this.hiddenIds.has(item.id) && this.hasSize(mesh, index);
   }
 
   all(): readonly Placed[] {
@@ -96,8 +97,13 @@ export class Batch {
     return hit.instanceId === undefined ? undefined : entry?.items[hit.instanceId];
   }
 
+  private hasSize(mesh: InstancedMesh, index: number): boolean {
+    const { array } = mesh.instanceMatrix;
+    return [0, 1, 2].some((k) => array[16 * index + k] !== 0);
+  }
+
   private placeItem(item: Item, out: Matrix4): boolean {
-    if (this.isHidden(item)) return false;
+    if (this.hiddenIds.has(item.id)) return false;
     if (item.place) return item.place(out);
     out.multiplyMatrices(item.frame!, item.local!);
     return true;

@@ -82,7 +82,7 @@ export class Bodies {
     const shrink = Math.min(1, (0.5 * largest) / Math.max(...half));
     const [x, y, z] = half.map((axis) => Math.max(axis * shrink, 0.4 * smallest));
     const local = new Matrix4().setPosition(centre).multiply(ellipsoid?.axes ?? new Matrix4()).multiply(scaling(x, y, z));
-    const detail = this.motion.results.report.parts.length > 300 ? 12 : 24;
+    const detail = this.motion.results.report.parts.length > 300 ? 12 : 32;
     const item = { id: part.id, kind: 'INERTIA', color, geometry: 'ball', frame: this.motion.partFrames[index], local };
     this.batch.add(item, () => ball(detail));
   }

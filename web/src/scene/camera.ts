@@ -47,32 +47,42 @@ export function firstDirection(box: Box3, up: Vector3): Vector3 {
   return viewDirection('iso', up);
 }
 
-/** Places the camera so that the whole box is seen, from the given direction. */
-export function fitBox(camera: PerspectiveCamera, target: Vector3, box: Box3, direction: Vector3): void {
-  box.getCenter(target);
+/** Places the camera so that all points are seen, from the given direction. */
+export function fitPoints(camera: PerspectiveCamera, target: Vector3, points: Float32Array, direction: Vector3): void {
   const z = direction.clone().normalize();
   const x = new Vector3().crossVectors(camera.up, z);
   if (x.lengthSq() < 1e-9) x.set(1, 0, 0).addScaledVector(z, -z.x);
   x.normalize();
   const y = new Vector3().crossVectors(z, x);
+  const box = boxAlong(points, [x, y, z]);
+  const middle = box.getCenter(new Vector3());
+  target.set(0, 0, 0).addScaledVector(x, middle.x).addScaledVector(y, middle.y).addScaledVector(z, middle.z);
   const tall = Math.tan((camera.fov * Math.PI) / 360);
   const wide = tall * camera.aspect;
-  let distance = 0;
-  for (const corner of corners(box)) {
-    corner.sub(target);
-    const needed = Math.max(Math.abs(corner.dot(x)) / wide, Math.abs(corner.dot(y)) / tall) + corner.dot(z);
-    distance = Math.max(distance, needed);
-  }
+  const distance = 1.1 * farEnough(points, target, [x, y, z], wide, tall);
   const radius = Math.max(box.getSize(new Vector3()).length() / 2, 1e-12);
-  camera.position.copy(target).addScaledVector(z, Math.max(distance * 1.08, radius * 0.1));
+  camera.position.copy(target).addScaledVector(z, Math.max(distance, radius * 0.1));
   camera.near = radius / 200;
   camera.far = radius * 2000;
   camera.updateProjectionMatrix();
 }
 
-function corners(box: Box3): Vector3[] {
-  const { min, max } = box;
-  return [0, 1, 2, 3, 4, 5, 6, 7].map(
-    (k) => new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z),
-  );
+function boxAlong(points: Float32Array, axes: Vector3[]): Box3 {
+  const box = new Box3();
+  const point = new Vector3();
+  for (let k = 0; k < points.length; k += 3) {
+    point.fromArray(points, k);
+    box.expandByPoint(point.set(point.dot(axes[0]), point.dot(axes[1]), point.dot(axes[2])));
+  }
+  return box;
+}
+
+function farEnough(points: Float32Array, target: Vector3, [x, y, z]: Vector3[], wide: number, tall: number): number {
+  const point = new Vector3();
+  let distance = 0;
+  for (let k = 0; k < points.length; k += 3) {
+    point.fromArray(points, k).sub(target);
+    distance = Math.max(distance, Math.max(Math.abs(point.dot(x)) / wide, Math.abs(point.dot(y)) / tall) + point.dot(z));
+  }
+  return distance;
 }

@@ -9,13 +9,13 @@ import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 const halfTurn = Math.PI / 2;
 
 /** From z = 0 to 1, of these radii at both ends. */
-export function frustum(bottom: number, top: number, sides = 24): BufferGeometry {
+export function frustum(bottom: number, top: number, sides = 32): BufferGeometry {
   return new CylinderGeometry(top, bottom, 1, sides).translate(0, 0.5, 0).rotateX(halfTurn);
 }
 
 export const rod = () => frustum(1, 1, 10);
 export const box = () => new BoxGeometry(1, 1, 1);
-export const ball = (detail = 24) => new SphereGeometry(1, detail, Math.max(6, detail / 2)).rotateX(halfTurn);
+export const ball = (detail = 32) => new SphereGeometry(1, detail, Math.max(6, detail / 2)).rotateX(halfTurn);
 export const diamond = () => new OctahedronGeometry(1);
 
 /** A ring of radius 1 about z, or the arc of it from the x axis on. */
@@ -57,16 +57,25 @@ export function roundDoubleArrow(): BufferGeometry {
   ]);
 }
 
+/** The border of a square of half width 1 in the xy plane. */
+export function squareFrame(): BufferGeometry {
+  const side = () => new BoxGeometry(2, 0.06, 0.06).translate(0, 1, 0);
+  return mergeGeometries([0, 1, 2, 3].map((k) => side().rotateZ(k * halfTurn)));
+}
+
 /** A coil spring of radius 1 from z = 0 to 1. */
 export function coil(turns: number): BufferGeometry {
-  const points: Vector3[] = [new Vector3(0, 0, 0), new Vector3(0, 0, 0.08)];
+  // About as long as coils are, so that the wire is round when the coil is scaled to its length.
+  const length = turns;
+  const points: Vector3[] = [new Vector3(0, 0, 0), new Vector3(0, 0, 0.08 * length)];
   const steps = Math.ceil(turns * 14);
   for (let k = 0; k <= steps; ++k) {
     const angle = (2 * Math.PI * turns * k) / steps;
-    points.push(new Vector3(Math.cos(angle), Math.sin(angle), 0.12 + (0.76 * k) / steps));
+    points.push(new Vector3(Math.cos(angle), Math.sin(angle), (0.12 + (0.76 * k) / steps) * length));
   }
-  points.push(new Vector3(0, 0, 0.92), new Vector3(0, 0, 1));
-  return new TubeGeometry(new CatmullRomCurve3(points, false, 'centripetal'), points.length * 2, 0.13, 5);
+  points.push(new Vector3(0, 0, 0.92 * length), new Vector3(0, 0, length));
+  const wire = new TubeGeometry(new CatmullRomCurve3(points, false, 'centripetal'), points.length * 2, 0.13, 5);
+  return wire.scale(1, 1, 1 / length);
 }
 
 /** A flat spiral about z of radius 1. */

@@ -15,8 +15,8 @@ const longest = 0.22;
 export class Loads {
   forceScale = 1;
   torqueScale = 1;
-  private largestForce = 0;
-  private largestTorque = 0;
+  largestForce = 0;
+  largestTorque = 0;
   private readonly table: Table | undefined;
   private at = { row: 0, fraction: 0 };
 

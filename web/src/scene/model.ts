@@ -103,14 +103,17 @@ export class Model {
     return [...items, ...flexible];
   }
 
-  bounds(out: Box3): Box3 {
-    const box = new Box3();
+  /** Corners of the boxes around all that is drawn now. */
+  corners(): number[] {
+    const points: number[] = [];
     for (const placed of this.placed()) {
       placed.mesh.geometry.computeBoundingBox();
-      out.union(box.copy(placed.mesh.geometry.boundingBox!).applyMatrix4(worldMatrix(placed)));
+      addCorners(placed.mesh.geometry.boundingBox!, worldMatrix(placed), points);
     }
-    for (const { group } of this.flexible) if (group.visible) out.expandByObject(group, true);
-    return out;
+    for (const { group } of this.flexible) {
+      if (group.visible) addCorners(new Box3().setFromObject(group, true), new Matrix4(), points);
+    }
+    return points;
   }
 
   pick(raycaster: Raycaster): string | null {
@@ -181,7 +184,7 @@ export class Model {
   private placed(): Placed[] {
     return (['parts', 'ground', 'springs'] as const).flatMap((name) => {
       const layer = this.layer(name);
-      return layer.group.visible ? layer.all().filter(({ item }) => !layer.isHidden(item)) : [];
+      return layer.group.visible ? layer.all().filter((placed) => layer.isPlaced(placed)) : [];
     });
   }
 
@@ -207,6 +210,14 @@ function worldMatrix({ mesh, index }: Placed): Matrix4 {
   mesh.getMatrixAt(index, matrix);
   mesh.updateWorldMatrix(true, false);
   return matrix.premultiply(mesh.matrixWorld);
+}
+
+function addCorners({ min, max }: Box3, matrix: Matrix4, out: number[]): void {
+  const corner = new Vector3();
+  for (let k = 0; k < 8; ++k) {
+    corner.set(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z).applyMatrix4(matrix);
+    out.push(corner.x, corner.y, corner.z);
+  }
 }
 
 function isShown(hit: Intersection): boolean {

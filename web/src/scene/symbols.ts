@@ -5,7 +5,7 @@ import type { Element } from '../data/contract';
 import type { Motion } from '../data/motion';
 import type { Batch, Item } from './batch';
 import { coreOf, freedomsOf, type Freedom } from './freedoms';
-import { ball, box, diamond, rod, roundDoubleArrow, straightDoubleArrow, triad } from './geometries';
+import { ball, box, diamond, rod, roundDoubleArrow, squareFrame, straightDoubleArrow, triad } from './geometries';
 import { roles } from './palette';
 import { scaling } from './place';
 
@@ -17,8 +17,8 @@ const toAxis = {
 
 const cores = {
   cube: { geometry: 'cube', make: box, local: scaling(0.36, 0.36, 0.36) },
-  line: { geometry: 'rod', make: rod, local: scaling(0.05, 0.05, 3.2).multiply(new Matrix4().makeTranslation(0, 0, -0.5)) },
-  plane: { geometry: 'cube', make: box, local: scaling(1.9, 1.9, 0.03) },
+  line: { geometry: 'rod', make: rod, local: scaling(0.09, 0.09, 1.1).multiply(new Matrix4().makeTranslation(0, 0, -0.5)) },
+  plane: { geometry: 'square', make: squareFrame, local: scaling(0.95, 0.95, 1) },
   ball: { geometry: 'ball', make: () => ball(14), local: scaling(0.2, 0.2, 0.2) },
 };
 

@@ -6,7 +6,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { niceBelow } from '../data/numbers';
-import { firstDirection, fitBox, upFrom, viewDirection, type ViewName } from './camera';
+import { firstDirection, fitPoints, upFrom, viewDirection, type ViewName } from './camera';
 import type { Model } from './model';
 import { background, gridColors } from './palette';
 
@@ -21,6 +21,7 @@ export class Viewer {
   private readonly solids = new Scene();
   private readonly overlay = new Scene();
   private readonly up: Vector3;
+  private readonly motionPoints: Float32Array;
   private readonly motionBox: Box3;
   private grid: GridHelper | null = null;
   private pending = false;
@@ -36,8 +37,10 @@ export class Viewer {
     this.controls.addEventListener('change', () => this.invalidate());
     this.solids.add(model.solids);
     this.overlay.add(model.overlay);
-    this.motionBox = this.boundsOverTime();
-    for (const scene of [this.solids, this.overlay]) this.addLights(scene);
+    this.motionPoints = this.pointsOverTime();
+    this.motionBox = new Box3().setFromArray(this.motionPoints);
+    this.addLights(this.solids, 1.9);
+    this.addLights(this.overlay, 2.8);
     this.restyle();
     this.listenForClicks();
   }
@@ -62,9 +65,7 @@ export class Viewer {
   }
 
   first(): void {
-    fitBox(this.camera, this.controls.target, this.motionBox, firstDirection(this.motionBox, this.up));
-    this.controls.update();
-    this.invalidate();
+    this.look(firstDirection(this.motionBox, this.up));
   }
 
   fit(): void {
@@ -116,9 +117,9 @@ export class Viewer {
     return this.drawnAt.filter((at) => at > last - 1000).length;
   }
 
-  info(): { calls: number; triangles: number } {
-    const { calls, triangles } = this.renderer.info.render;
-    return { calls, triangles };
+  info(): { calls: number; triangles: number; frames: number } {
+    const { calls, triangles, frame } = this.renderer.info.render;
+    return { calls, triangles, frames: frame };
   }
 
   private draw(): void {
@@ -133,30 +134,29 @@ export class Viewer {
   }
 
   private look(direction: Vector3): void {
-    const whole = this.motionBox.clone();
-    fitBox(this.camera, this.controls.target, whole, direction);
+    fitPoints(this.camera, this.controls.target, this.motionPoints, direction);
     this.controls.update();
     this.invalidate();
   }
 
   // A part that flies off must not make the rest too small to see.
-  private boundsOverTime(): Box3 {
-    const { time } = this.model.results;
-    const start = this.model.bounds(new Box3());
-    const whole = start.clone();
-    const samples = Math.min(time.length, 24);
+  private pointsOverTime(): Float32Array {
+    const { time, report } = this.model.results;
+    const start = this.model.corners();
+    if (start.length === 0) return new Float32Array([-1, -1, -1, 1, 1, 1]);
+    const points = [...start];
+    const samples = Math.min(time.length, report.parts.length > 200 ? 4 : 24);
     for (let k = 1; k < samples; ++k) {
       this.model.setTime(time[Math.round((k * (time.length - 1)) / (samples - 1))]);
-      this.model.bounds(whole);
+      for (const value of this.model.corners()) points.push(value);
     }
     this.model.setTime(time[0] ?? 0);
-    if (start.isEmpty()) return new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
-    const diagonal = (box: Box3) => box.getSize(new Vector3()).length();
-    return diagonal(whole) > 4 * diagonal(start) ? start : whole;
+    const diagonal = (array: number[]) => new Box3().setFromArray(array).getSize(new Vector3()).length();
+    return Float32Array.from(diagonal(points) > 4 * diagonal(start) ? start : points);
   }
 
-  private addLights(scene: Scene): void {
-    const sky = new HemisphereLight(0xffffff, 0x8890a0, 1.9);
+  private addLights(scene: Scene, brightness: number): void {
+    const sky = new HemisphereLight(0xffffff, 0x8890a0, brightness);
     sky.position.copy(this.up);
     const sun = new DirectionalLight(0xffffff, 1.7);
     sun.position.copy(viewDirection('iso', this.up)).addScaledVector(this.up, 0.6);

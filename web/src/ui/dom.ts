@@ -15,7 +15,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-export function button(label: string, title: string, onclick: () => void, className = ''): HTMLButtonElement {
+export function button(label: string | Node, title: string, onclick: () => void, className = ''): HTMLButtonElement {
   return make('button', { type: 'button', title, onclick, className, ariaLabel: title }, label);
 }
 

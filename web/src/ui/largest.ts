@@ -19,10 +19,10 @@ export class Largest {
     private readonly describe: (element: string | null) => string,
     private readonly show: (column: Column) => void,
   ) {
-    this.element.append(make('p', { className: 'hint' }, 'Largest magnitude over the run. Click a row to go to that moment.'));
-    this.addTable('Forces on joints and forces', 'Force', peaks.forces);
-    this.addTable('Torques on joints and forces', 'Torque', peaks.torques);
-    this.addTable('Requests', 'Value', peaks.requests);
+    this.element.append(make('p', { className: 'hint' }, 'By magnitude, over the whole run. Click a row to go to that moment.'));
+    this.addTable('Largest forces', 'Force', peaks.forces);
+    this.addTable('Largest torques', 'Torque', peaks.torques);
+    this.addTable('Largest values of requests', 'Value', peaks.requests);
     if (this.rows.length === 0) this.element.append(make('p', { className: 'empty' }, 'The run has no reactions and no requests.'));
     app.on('selection', () => this.showSelection());
   }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canvas with what lies over it: views, the axes, and the name of the selection.
 import type { App } from '../app';
+import { withUnit } from '../data/numbers';
 import type { Model } from '../scene/model';
 import { background, onSchemeChange, roles } from '../scene/palette';
 import { viewNames } from '../scene/camera';
 import { Viewer } from '../scene/viewer';
 import { button, download, fileName, make } from './dom';
+import { svg, svgName } from './icons';
 
 const viewLabels = { iso: 'Iso', front: 'Front', right: 'Right', top: 'Top' };
-const svgName = 'http://www.w3.org/2000/svg';
 
 export class Picture {
   readonly element = make('section', { className: 'picture', ariaLabel: 'Animation' });
@@ -23,7 +24,7 @@ export class Picture {
     this.axes = document.createElementNS(svgName, 'svg');
     this.axes.setAttribute('class', 'axes');
     this.axes.setAttribute('viewBox', '-34 -34 68 68');
-    this.element.append(canvas, this.axes, this.label, this.tools());
+    this.element.append(canvas, this.axes, this.key(), this.label, this.tools());
     new ResizeObserver(() => this.viewer.resize(this.element.clientWidth, this.element.clientHeight)).observe(this.element);
     this.viewer.onPick = (id) => app.select(id);
     this.viewer.onFrame = (now) => this.frame(now);
@@ -55,6 +56,17 @@ export class Picture {
       button('Fit', 'See all (F)', () => viewer.fit()),
       ...viewNames.map((name, k) => button(viewLabels[name], `View: ${name} (${k + 1}); again: from the other side`, () => viewer.view(name))),
       button('PNG', 'Save the picture as PNG', () => this.save()));
+  }
+
+  // What the arrows and the grid mean, with their measure.
+  private key(): HTMLElement {
+    const { loads, results } = this.model;
+    const { units } = results.report;
+    const entry = (className: string, text: string) => make('li', {}, make('span', { className: `key ${className}` }), text);
+    return make('ul', { className: 'picture-key', ariaLabel: 'Key' },
+      loads.largestForce > 0 && entry('force', `force, largest ${withUnit(loads.largestForce, units.force)}`),
+      loads.largestTorque > 0 && entry('torque', `torque, largest ${withUnit(loads.largestTorque, `${units.force} ${units.length}`)}`),
+      make('li', {}, `grid ${withUnit(this.viewer.cell, units.length)}`));
   }
 
   private save(): void {
@@ -108,10 +120,4 @@ export class Picture {
       return [line, text];
     }));
   }
-}
-
-function svg(name: string, attributes: Record<string, string | number>): SVGElement {
-  const element = document.createElementNS(svgName, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  return element;
 }

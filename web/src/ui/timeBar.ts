@@ -2,6 +2,7 @@
 import type { App } from '../app';
 import { shortNumber } from '../data/numbers';
 import { button, make } from './dom';
+import { icon } from './icons';
 
 const steps = 100_000;
 
@@ -12,13 +13,13 @@ export class TimeBar {
   private readonly field = make('input', { type: 'text', inputMode: 'decimal', className: 'time', ariaLabel: 'Go to time' });
 
   constructor(private readonly app: App, private readonly unit: string) {
-    this.playButton = button('▶', 'Play or pause (space)', () => app.toggle(), 'play');
-    const loop = button('⟲', 'Repeat from the start', () => this.toggleLoop(loop), 'toggle');
+    this.playButton = button(icon('play'), 'Play or pause (space)', () => app.toggle(), 'play');
+    const loop = button(icon('loop'), 'Repeat from the start', () => this.toggleLoop(loop), 'toggle');
     loop.setAttribute('aria-pressed', String(app.loop));
     this.element = make('div', { className: 'time-bar', attributes: { role: 'group' }, ariaLabel: 'Time' },
       this.playButton,
-      button('⏮', 'One output step back (left arrow)', () => app.step(-1), 'quiet'),
-      button('⏭', 'One output step on (right arrow)', () => app.step(1), 'quiet'),
+      button(icon('back'), 'One output step back (left arrow)', () => app.step(-1), 'quiet'),
+      button(icon('on'), 'One output step on (right arrow)', () => app.step(1), 'quiet'),
       this.slider,
       make('label', { className: 'time-field' }, 't = ', this.field, ` ${unit}`),
       this.speeds(), loop);
@@ -62,7 +63,7 @@ export class TimeBar {
   }
 
   private showPlaying(): void {
-    this.playButton.textContent = this.app.playing ? '❚❚' : '▶';
+    this.playButton.replaceChildren(icon(this.app.playing ? 'pause' : 'play'));
     this.playButton.setAttribute('aria-pressed', String(this.app.playing));
   }
 }

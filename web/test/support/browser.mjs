@@ -21,8 +21,9 @@ export async function openBrowser() {
 }
 
 /** Opens a page and records what must not happen: errors, dialogs, requests for anything but the page itself. */
-export async function openPage(browser, address, { width = 1280, height = 720, dark = false, mobile = false } = {}) {
+export async function openPage(browser, address, { width = 1280, height = 720, dark = false, mobile = false, reducedMotion = true } = {}) {
   const page = await browser.newPage();
+  page.setDefaultNavigationTimeout(120_000);
   const trouble = [];
   const requests = [];
   page.on('console', (message) => ['error', 'warn'].includes(message.type()) && !isDriverRemark(message.text()) && trouble.push(message.text()));
@@ -33,7 +34,8 @@ export async function openPage(browser, address, { width = 1280, height = 720, d
   });
   page.on('request', (request) => /^(data|blob):/.test(request.url()) || requests.push(request.url()));
   await page.setViewport({ width, height, deviceScaleFactor: 1, isMobile: mobile, hasTouch: mobile });
-  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
+  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
+    { name: 'prefers-reduced-motion', value: reducedMotion ? 'reduce' : 'no-preference' }]);
   await page.goto(address);
   await page.evaluate(() => window.jprim.ready);
   await nextFrame(page);

@@ -24,6 +24,11 @@ export class Blocks {
     return { block: this.#texts.length - 1, type, shape, ...(this.deflate ? { deflate: true } : {}) };
   }
 
+  /** Leaves out the array that was added last. */
+  dropLast() {
+    this.#texts.pop();
+  }
+
   html() {
     const element = (text, k) => `<script type="application/octet-stream;base64" id="jprim-data-${k}">${text}</script>`;
     return this.#texts.map(element).join('\n');
