@@ -44,6 +44,7 @@
 #include "jprim/primitive/pair_constraint.h"
 #include "jprim/primitive/primitive.h"
 #include "jprim/primitive/primitives.h"
+#include "jprim/report/animation.h"
 #include "jprim/report/write_report.h"
 #include "jprim/results/csv_files.h"
 #include "jprim/results/read_results.h"

@@ -117,7 +117,19 @@ Json findLoadOnI(const std::string& element, const Results& results) {
     return found - columns.begin() - 1;  // the time stands apart
 }
 
-Json makeElements(const Mechanism& mechanism, const Results& results) {
+// So that their markers can be found too.
+void addRequests(const Dataset& dataset, Json& elements) {
+    for (const RequestStatement& request : dataset.requests)
+        elements.push_back({{"id", fmt::format("REQUEST/{}", request.id)},
+                            {"kind", "REQUEST"},
+                            {"type", getAdamsName(request.type)},
+                            {"i", request.i},
+                            {"j", request.j},
+                            {"isForce", false},
+                            {"loadOnI", nullptr}});
+}
+
+Json makeElements(const Dataset& dataset, const Mechanism& mechanism, const Results& results) {
     std::map<std::string, std::string> types;
     for (const Connection& connection : mechanism.getConnections())
         types.emplace(connection.name, connection.type);
@@ -133,6 +145,7 @@ Json makeElements(const Mechanism& mechanism, const Results& results) {
                             {"isForce", !element.isConstraint},
                             {"loadOnI", findLoadOnI(element.name, results)}});
     }
+    addRequests(dataset, elements);
     return elements;
 }
 
@@ -146,7 +159,7 @@ void describeMechanism(const Dataset& dataset, const Mechanism& mechanism, const
     for (size_t k = 0; k < mechanism.getParts().size(); ++k)
         json["parts"].push_back(makePart(mechanism, k, masses.find(k), motion));
     json["markers"] = makeMarkers(dataset, mechanism, motion);
-    json["elements"] = makeElements(mechanism, results);
+    json["elements"] = makeElements(dataset, mechanism, results);
 }
 
 }  // namespace jprim

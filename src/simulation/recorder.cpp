@@ -60,6 +60,7 @@ Recorder::Recorder(const Mechanism& mechanism, ResultSink& sink)
         addModes(part);
     }
     addEnergy();
+    addErrors();
     m_signs = EulerSigns(m_columns.parts);
     m_sink.begin(m_columns);
 }
@@ -77,7 +78,8 @@ void Recorder::addGroup(const Table& table, const std::string& element, const st
     m_groups.push_back(std::move(group));
 }
 
-void Recorder::record(const State& state) {
+void Recorder::record(const State& state, const Violation& violation) {
+    m_violation = violation;
     for (Group& group : m_groups) {
         double* const values = group.table.row.data() + group.first;
         group.calcInSI(state, values);
@@ -266,6 +268,14 @@ void Recorder::addEnergy() {
                  out[0] = mechanism.calcKineticEnergy(s);
                  out[1] = mechanism.getSystem().calcPotentialEnergy(s);
                  out[2] = out[0] + out[1];
+             });
+}
+
+void Recorder::addErrors() {
+    addGroup(m_parts, "", "error.", {{"length", m_units.length}, {"angle", m_units.angle}},
+             [this](const State&, double* out) {
+                 out[0] = m_violation.length;
+                 out[1] = m_violation.angle;
              });
 }
 

@@ -24,7 +24,7 @@ public:
     Recorder& operator=(const Recorder&) = delete;
 
     /// Adds a row. Requires Stage::Acceleration.
-    void record(const SimTK::State& state);
+    void record(const SimTK::State& state, const Violation& violation);
 
     /// The first of each request.
     const std::vector<NotFinite>& getNotFinite() const { return m_notFinite; }
@@ -74,6 +74,7 @@ private:
     void addPart(const MechanismPart& part);
     void addModes(const MechanismPart& part);
     void addEnergy();
+    void addErrors();
 
     const Mechanism& m_mechanism;
     ResultSink& m_sink;
@@ -88,6 +89,7 @@ private:
     std::unordered_set<std::string> m_requestColumns;  // names taken so far, and all plain ones
     std::vector<NotFinite> m_notFinite;
     EulerSigns m_signs;
+    Violation m_violation;  // in the row that is made
 };
 
 }  // namespace jprim
