@@ -2,7 +2,10 @@
 // What all views share: the moment, the selection, and playing.
 import { secondsPer } from './data/numbers';
 
-type Event = 'time' | 'selection' | 'playing';
+/** `values` comes with `time`, but while playing only as often as numbers can be read. */
+type Event = 'time' | 'values' | 'selection' | 'playing';
+
+const readableAfter = 120;
 
 export class App {
   readonly start: number;
@@ -17,6 +20,7 @@ export class App {
   private readonly listeners = new Map<Event, (() => void)[]>();
   private lastTick = 0;
   private once = false;
+  private valuesShown = 0;
 
   constructor(readonly frameTimes: Float64Array, timeUnit: string) {
     this.start = frameTimes[0] ?? 0;
@@ -35,6 +39,8 @@ export class App {
     if (time === this.time || Number.isNaN(time)) return;
     this.time = time;
     this.emit('time');
+    const now = performance.now();
+    if (!this.playing || now - this.valuesShown > readableAfter) this.emitValues(now);
   }
 
   select(id: string | null): void {
@@ -55,6 +61,7 @@ export class App {
   pause(): void {
     if (!this.playing) return;
     this.playing = false;
+    this.emitValues(performance.now());
     this.emit('playing');
   }
 
@@ -102,6 +109,11 @@ export class App {
   private stopAtEnd(): void {
     this.setTime(this.end);
     this.pause();
+  }
+
+  private emitValues(now: number): void {
+    this.valuesShown = now;
+    this.emit('values');
   }
 
   private emit(event: Event): void {

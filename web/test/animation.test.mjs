@@ -171,6 +171,7 @@ test('shows and hides layers, and single parts', async () => {
 
 test('draws the picture only when something changed', async () => {
   await page.evaluate(() => window.jprim.select(null));
+  await page.waitForFunction(() => window.jprim.renderInfo().atRest);
   await nextFrame(page);
   const frames = () => page.evaluate(() => window.jprim.renderInfo().frames);
   const before = await frames();

@@ -61,7 +61,6 @@ export class Plot {
     const inside = x >= 0 && x <= this.chart.over.clientWidth;
     this.cursor.style.transform = `translateX(${x}px)`;
     this.cursor.hidden = !inside;
-    this.showValues();
   }
 
   /** The plot with its legend, as a picture. */
@@ -112,7 +111,7 @@ export class Plot {
     this.showValues();
   }
 
-  private showValues(): void {
+  showValues(): void {
     const t = this.hover ?? this.app.time;
     this.legend.querySelectorAll('output').forEach((output, k) => {
       output.textContent = shortNumber(valueAt(this.columns[k], t));
