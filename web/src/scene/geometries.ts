@@ -5,6 +5,7 @@ import {
   SphereGeometry, TorusGeometry, TubeGeometry, Vector3,
 } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import { runsOnProcessor } from './processor';
 
 const halfTurn = Math.PI / 2;
 
@@ -13,7 +14,8 @@ export class Geometries {
   private readonly detail: number;
 
   constructor(parts: number) {
-    this.detail = parts <= 40 ? 1 : parts <= 300 ? 0.6 : 0.35;
+    const many = runsOnProcessor() ? parts * 15 : parts;
+    this.detail = many <= 300 ? 1 : many <= 1000 ? 0.6 : 0.34;
   }
 
   /** From z = 0 to 1, of these radii at both ends. */

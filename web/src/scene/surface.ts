@@ -2,13 +2,14 @@
 // The canvas that is drawn on. Where WebGL runs on the processor, frames have one sample a pixel while things move, and
 // four when they come to rest.
 import { type PerspectiveCamera, type Scene, WebGLRenderer } from 'three';
+import { runsOnProcessor } from './processor';
 
 const restAfter = 150;
 
 export class Surface {
   onDrawn: () => void = () => undefined;
   private readonly renderer: WebGLRenderer;
-  private readonly onProcessor: boolean;
+  private readonly onProcessor = runsOnProcessor();
   private readonly ratio = Math.min(devicePixelRatio, 2);
   private size = { width: 0, height: 0 };
   private frames = 0;
@@ -17,7 +18,6 @@ export class Surface {
   private fine = true;
 
   constructor(readonly canvas: HTMLCanvasElement, private readonly passes: Scene[], private readonly camera: PerspectiveCamera) {
-    this.onProcessor = runsOnProcessor();
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.onProcessor });
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.autoClear = false;
@@ -82,12 +82,4 @@ export class Surface {
     this.fine = fine;
     this.renderer.setPixelRatio(fine ? Math.max(2, this.ratio) : 1);
   }
-}
-
-function runsOnProcessor(): boolean {
-  const context = document.createElement('canvas').getContext('webgl2');
-  const names = context?.getExtension('WEBGL_debug_renderer_info');
-  const renderer = names ? String(context!.getParameter(names.UNMASKED_RENDERER_WEBGL)) : '';
-  context?.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|software/i.test(renderer);
 }
