@@ -65,5 +65,7 @@ export class Loads {
 }
 
 function largest(values: Float64Array, start: number): number {
-  return values.reduce((most, value) => (Number.isFinite(value) && value > most ? value : most), start);
+  let most = start;
+  for (const value of values) if (value > most && value < Infinity) most = value;
+  return most;
 }

@@ -96,7 +96,8 @@ export class Picture {
   private related(id: string | null): Set<string> {
     const { report } = this.model.results;
     const element = report.elements.find((candidate) => candidate.id === id);
-    const markers = element ? [element.i, element.j].map((marker) => this.model.motion.markers.get(marker)) : [];
+    const ids = element ? [element.i, element.j] : id?.startsWith('MARKER/') ? [Number(id.slice(7))] : [];
+    const markers = ids.map((marker) => this.model.motion.markers.get(marker));
     return new Set(markers.flatMap((marker) => (marker ? [report.parts[marker.part].id] : [])));
   }
 
