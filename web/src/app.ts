@@ -81,14 +81,14 @@ export class App {
     else this.stopAtEnd();
   }
 
-  /** Goes by frames: to the next or previous output time. */
-  step(frames: number): void {
+  /** Goes by output times. One that is there twice, before and after a switch, counts once. */
+  step(by: number): void {
     this.pause();
     const times = this.frameTimes;
-    let row = times.findIndex((t) => t >= this.time);
-    if (row < 0) row = times.length - 1;
-    if (frames > 0 && times[row] > this.time) --row;
-    this.setTime(times[Math.min(times.length - 1, Math.max(0, row + frames))]);
+    const next = times.findIndex((t) => t > this.time);
+    const first = times.findIndex((t) => t >= this.time);
+    const row = by > 0 ? (next < 0 ? times.length : next) + by - 1 : (first < 0 ? times.length : first) + by;
+    this.setTime(times[Math.min(times.length - 1, Math.max(0, row))]);
   }
 
   speeds(): number[] {

@@ -179,6 +179,19 @@ test('draws the picture only when something changed', async () => {
   assert.equal(await frames(), before);
 });
 
+test('steps over a moment that is there twice, to both sides', async () => {
+  const { report, blocks } = sliderCrank([0, 0.5, 1, 1, 1.5, 2]);
+  const opened = await openPage(browser, writePage(fillPage(report, blocks)));
+  await opened.page.focus('canvas');
+  const visited = [];
+  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft']) {
+    await opened.page.keyboard.press(key);
+    visited.push(await opened.page.evaluate(() => window.jprim.getTime()));
+  }
+  assert.deepEqual(visited, [0.5, 1, 1.5, 2, 2, 1.5, 1, 0.5, 0, 0]);
+  await opened.page.close();
+});
+
 test('plays once on opening, unless less motion is asked for', async () => {
   const { report, blocks } = sliderCrank();
   const opened = await openPage(browser, writePage(fillPage(report, blocks)), { reducedMotion: false });
