@@ -2,7 +2,10 @@
 // What all views share: the moment, the selection, and playing.
 import { secondsPer } from './data/numbers';
 
-type Event = 'time' | 'selection' | 'playing';
+/** `values` comes with `time`, but while playing only as often as numbers can be read. */
+type Event = 'time' | 'values' | 'selection' | 'playing';
+
+const readableAfter = 120;
 
 export class App {
   readonly start: number;
@@ -17,6 +20,7 @@ export class App {
   private readonly listeners = new Map<Event, (() => void)[]>();
   private lastTick = 0;
   private once = false;
+  private valuesShown = 0;
 
   constructor(readonly frameTimes: Float64Array, timeUnit: string) {
     this.start = frameTimes[0] ?? 0;
@@ -35,6 +39,8 @@ export class App {
     if (time === this.time || Number.isNaN(time)) return;
     this.time = time;
     this.emit('time');
+    const now = performance.now();
+    if (!this.playing || now - this.valuesShown > readableAfter) this.emitValues(now);
   }
 
   select(id: string | null): void {
@@ -55,6 +61,7 @@ export class App {
   pause(): void {
     if (!this.playing) return;
     this.playing = false;
+    this.emitValues(performance.now());
     this.emit('playing');
   }
 
@@ -74,14 +81,14 @@ export class App {
     else this.stopAtEnd();
   }
 
-  /** Goes by frames: to the next or previous output time. */
-  step(frames: number): void {
+  /** Goes by output times. One that is there twice, before and after a switch, counts once. */
+  step(by: number): void {
     this.pause();
     const times = this.frameTimes;
-    let row = times.findIndex((t) => t >= this.time);
-    if (row < 0) row = times.length - 1;
-    if (frames > 0 && times[row] > this.time) --row;
-    this.setTime(times[Math.min(times.length - 1, Math.max(0, row + frames))]);
+    const next = times.findIndex((t) => t > this.time);
+    const first = times.findIndex((t) => t >= this.time);
+    const row = by > 0 ? (next < 0 ? times.length : next) + by - 1 : (first < 0 ? times.length : first) + by;
+    this.setTime(times[Math.min(times.length - 1, Math.max(0, row))]);
   }
 
   speeds(): number[] {
@@ -102,6 +109,11 @@ export class App {
   private stopAtEnd(): void {
     this.setTime(this.end);
     this.pause();
+  }
+
+  private emitValues(now: number): void {
+    this.valuesShown = now;
+    this.emit('values');
   }
 
   private emit(event: Event): void {

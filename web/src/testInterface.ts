@@ -42,7 +42,7 @@ export function testInterface(app: App, columns: Columns, plots: PlotPanel, pict
     exportCsv: () => plots.csv(),
     play: () => app.play(),
     pause: () => app.pause(),
-    fps: () => picture?.viewer.fps() ?? 0,
-    renderInfo: () => picture?.viewer.info() ?? { calls: 0, triangles: 0, frames: 0 },
+    fps: () => picture?.viewer.surface.fps() ?? 0,
+    renderInfo: () => picture?.viewer.surface.info() ?? { triangles: 0, frames: 0, atRest: true },
   };
 }

@@ -171,11 +171,25 @@ test('shows and hides layers, and single parts', async () => {
 
 test('draws the picture only when something changed', async () => {
   await page.evaluate(() => window.jprim.select(null));
+  await page.waitForFunction(() => window.jprim.renderInfo().atRest);
   await nextFrame(page);
   const frames = () => page.evaluate(() => window.jprim.renderInfo().frames);
   const before = await frames();
   for (let k = 0; k < 5; ++k) await nextFrame(page);
   assert.equal(await frames(), before);
+});
+
+test('steps over a moment that is there twice, to both sides', async () => {
+  const { report, blocks } = sliderCrank([0, 0.5, 1, 1, 1.5, 2]);
+  const opened = await openPage(browser, writePage(fillPage(report, blocks)));
+  await opened.page.focus('canvas');
+  const visited = [];
+  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft']) {
+    await opened.page.keyboard.press(key);
+    visited.push(await opened.page.evaluate(() => window.jprim.getTime()));
+  }
+  assert.deepEqual(visited, [0.5, 1, 1.5, 2, 2, 1.5, 1, 0.5, 0, 0]);
+  await opened.page.close();
 });
 
 test('plays once on opening, unless less motion is asked for', async () => {

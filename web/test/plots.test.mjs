@@ -83,6 +83,22 @@ test('a click in a plot goes to that moment, and its cursor stays there', async 
   assert.ok(Math.abs(cursor.x - (box.x + box.width / 2)) < 2);
 });
 
+test('a click on a curve, or on its name, selects its element', async () => {
+  await page.click('.plot:nth-child(2) .legend li:nth-child(2) .name');
+  assert.equal(await page.evaluate(() => window.jprim.getSelection()), 'JOINT/2');
+  const box = await (await page.$('.plot:nth-child(2) .u-over')).boundingBox();
+  const y = await page.evaluate(() => {
+    const canvas = document.querySelector('.plot:nth-child(2) canvas');
+    const over = document.querySelector('.plot:nth-child(2) .u-over');
+    const x = over.offsetLeft + Math.round(over.offsetWidth * 0.4);
+    const pixels = canvas.getContext('2d').getImageData(x, 0, 1, canvas.height).data;
+    const blue = Array.from({ length: canvas.height }, (_, k) => pixels[4 * k + 3] > 200 && pixels[4 * k + 2] > 150 && pixels[4 * k] < 60);
+    return blue.indexOf(true) + 1 - over.offsetTop;
+  });
+  await page.mouse.click(box.x + Math.round(box.width * 0.4), box.y + y);
+  assert.equal(await page.evaluate(() => window.jprim.getSelection()), 'JOINT/1');
+});
+
 test('a drag in a plot zooms, a double click shows all', async () => {
   const ends = () => page.$eval('.plot .time-cursor', (e) => new DOMMatrix(getComputedStyle(e).transform).e);
   await page.evaluate(() => window.jprim.setTime(0.9));

@@ -35,7 +35,9 @@ function lazily(make: () => Float64Array): () => Float64Array {
 
 function magnitude(table: Table, first: number): Float64Array {
   const [x, y, z] = [0, 1, 2].map((k) => columnValues(table, first + k));
-  return Float64Array.from(x, (value, k) => Math.hypot(value, y[k], z[k]));
+  const values = new Float64Array(x.length);
+  for (let k = 0; k < values.length; ++k) values[k] = Math.sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
+  return values;
 }
 
 function tableColumn(table: Table, index: number): Column {

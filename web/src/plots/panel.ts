@@ -26,6 +26,7 @@ export class PlotPanel {
       this.search.element, button('New plot', 'New plot', () => this.activate(this.addPlot())));
     this.element.append(bar, this.row);
     app.on('time', () => this.plots.forEach((plot) => plot.showTime()));
+    app.on('values', () => this.plots.forEach((plot) => plot.showValues()));
     app.on('selection', () => this.rebuild());
     onSchemeChange(() => this.rebuild());
   }

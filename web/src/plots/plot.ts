@@ -10,6 +10,8 @@ import { alignedData } from './data';
 
 const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3]];
 
+const clickReach = 10;
+
 export class Plot {
   readonly element: HTMLElement;
   readonly columns: Column[] = [];
@@ -61,7 +63,6 @@ export class Plot {
     const inside = x >= 0 && x <= this.chart.over.clientWidth;
     this.cursor.style.transform = `translateX(${x}px)`;
     this.cursor.hidden = !inside;
-    this.showValues();
   }
 
   /** The plot with its legend, as a picture. */
@@ -112,7 +113,7 @@ export class Plot {
     this.showValues();
   }
 
-  private showValues(): void {
+  showValues(): void {
     const t = this.hover ?? this.app.time;
     this.legend.querySelectorAll('output').forEach((output, k) => {
       output.textContent = shortNumber(valueAt(this.columns[k], t));
@@ -127,8 +128,7 @@ export class Plot {
       legend: { show: false },
       padding: [8, 12, 0, 0],
       scales: { x: { time: false } },
-      cursor: { points: { show: true }, drag: { x: true, y: false, setScale: true }, focus: { prox: 12 } },
-      focus: { alpha: 1 },
+      cursor: { drag: { x: true, y: false, setScale: true } },
       series: [{}, ...this.columns.map((column, k) => this.series(column, k))],
       axes: [this.axis({ scale: 'x', label: `time [${this.timeUnit}]`, size: 30, labelSize: 16 }), ...units.map((unit, k) => this.unitAxis(unit, k))],
       hooks: {
@@ -179,9 +179,14 @@ export class Plot {
       const t = chart.posToVal(event.offsetX, 'x');
       this.app.pause();
       this.app.setTime(t);
-      const focused = chart.series.findIndex((series, k) => k > 0 && (series as { _focus?: boolean })._focus);
-      if (focused > 0) this.app.select(this.columns[focused - 1].element);
+      const column = this.columnNear(chart, t, event.offsetY);
+      if (column) this.app.select(column.element);
     });
+  }
+
+  private columnNear(chart: uPlot, t: number, y: number): Column | undefined {
+    const distance = (column: Column) => Math.abs(chart.valToPos(valueAt(column, t), `y ${column.unit}`) - y);
+    return this.columns.filter((column) => distance(column) < clickReach).sort((a, b) => distance(a) - distance(b))[0];
   }
 
   private follow(chart: uPlot): void {

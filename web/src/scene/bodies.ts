@@ -5,7 +5,7 @@ import type { Part } from '../data/contract';
 import { inertiaEllipsoid } from '../data/inertia';
 import type { Motion } from '../data/motion';
 import type { Batch } from './batch';
-import { ball, rod } from './geometries';
+import type { Geometries } from './geometries';
 import { between, positionOf, scaling } from './place';
 
 const mostPoints = 60;
@@ -43,6 +43,7 @@ export class Bodies {
   constructor(
     private readonly motion: Motion,
     private readonly batch: Batch,
+    private readonly geometries: Geometries,
     private readonly size: number,
   ) {
     const { elements, parts } = motion.results.report;
@@ -69,7 +70,7 @@ export class Bodies {
     const thickness = Math.min(0.009 * this.size, Math.max(0.002 * this.size, 0.05 * extent(points)));
     for (const [a, b] of shortestTree(points)) {
       const local = between(points[a], points[b], thickness);
-      if (local) this.batch.add({ id, kind: 'LINK', color, geometry: 'rod', frame, local }, rod);
+      if (local) this.batch.add({ id, kind: 'LINK', color, geometry: 'rod', frame, local }, this.geometries.rod);
     }
   }
 
@@ -82,9 +83,8 @@ export class Bodies {
     const shrink = Math.min(1, (0.5 * largest) / Math.max(...half));
     const [x, y, z] = half.map((axis) => Math.max(axis * shrink, 0.4 * smallest));
     const local = new Matrix4().setPosition(centre).multiply(ellipsoid?.axes ?? new Matrix4()).multiply(scaling(x, y, z));
-    const detail = this.motion.results.report.parts.length > 300 ? 12 : 32;
     const item = { id: part.id, kind: 'INERTIA', color, geometry: 'ball', frame: this.motion.partFrames[index], local };
-    this.batch.add(item, () => ball(detail));
+    this.batch.add(item, this.geometries.ball);
   }
 }
 

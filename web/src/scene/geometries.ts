@@ -5,86 +5,111 @@ import {
   SphereGeometry, TorusGeometry, TubeGeometry, Vector3,
 } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import { runsOnProcessor } from './processor';
 
 const halfTurn = Math.PI / 2;
 
-/** From z = 0 to 1, of these radii at both ends. */
-export function frustum(bottom: number, top: number, sides = 32): BufferGeometry {
-  return new CylinderGeometry(top, bottom, 1, sides).translate(0, 0.5, 0).rotateX(halfTurn);
-}
+export class Geometries {
+  /** Round things have fewer faces where there are many of them. */
+  private readonly detail: number;
 
-export const rod = () => frustum(1, 1, 10);
-export const box = () => new BoxGeometry(1, 1, 1);
-export const ball = (detail = 32) => new SphereGeometry(1, detail, Math.max(6, detail / 2)).rotateX(halfTurn);
-export const diamond = () => new OctahedronGeometry(1);
-
-/** A ring of radius 1 about z, or the arc of it from the x axis on. */
-export function ring(tube: number, angle = 2 * Math.PI): BufferGeometry {
-  return new TorusGeometry(1, tube, 8, Math.max(6, Math.ceil((48 * Math.abs(angle)) / (2 * Math.PI))), angle);
-}
-
-/** From the origin along z, 1 long: shaft and head. */
-export function arrow(shaft = 0.035, head = 0.11, headLength = 0.28): BufferGeometry {
-  const neck = 1 - headLength;
-  return mergeGeometries([
-    frustum(shaft, shaft, 8).scale(1, 1, neck),
-    new ConeGeometry(head, headLength, 14).rotateX(halfTurn).translate(0, 0, neck + headLength / 2),
-  ]);
-}
-
-/** The usual sign of a torque vector: two heads, one behind the other. */
-export function doubleHeadedArrow(): BufferGeometry {
-  const head = new ConeGeometry(0.11, 0.2, 14).rotateX(halfTurn).translate(0, 0, 0.7);
-  return mergeGeometries([arrow(0.035, 0.11, 0.2), head]);
-}
-
-/** A free translation along z. */
-export function straightDoubleArrow(): BufferGeometry {
-  const half = arrow(0.04, 0.12, 0.3);
-  return mergeGeometries([half, half.clone().rotateX(Math.PI)]);
-}
-
-/** A free rotation about z: three quarters of a ring with a head at each end. */
-export function roundDoubleArrow(): BufferGeometry {
-  const radius = 0.62;
-  const angle = 1.5 * Math.PI;
-  const head = (at: number, turn: number) =>
-    new ConeGeometry(0.12, 0.3, 12).rotateZ(turn > 0 ? 0 : Math.PI).translate(radius, 0.1 * turn, 0).rotateZ(at);
-  return mergeGeometries([
-    new TorusGeometry(radius, 0.04, 6, 30, angle).rotateZ(-angle / 2),
-    head(angle / 2, 1),
-    head(-angle / 2, -1),
-  ]);
-}
-
-/** The border of a square of half width 1 in the xy plane. */
-export function squareFrame(): BufferGeometry {
-  const side = () => new BoxGeometry(2, 0.06, 0.06).translate(0, 1, 0);
-  return mergeGeometries([0, 1, 2, 3].map((k) => side().rotateZ(k * halfTurn)));
-}
-
-/** A coil spring of radius 1 from z = 0 to 1. */
-export function coil(turns: number): BufferGeometry {
-  // About as long as coils are, so that the wire is round when the coil is scaled to its length.
-  const length = turns;
-  const points: Vector3[] = [new Vector3(0, 0, 0), new Vector3(0, 0, 0.08 * length)];
-  const steps = Math.ceil(turns * 14);
-  for (let k = 0; k <= steps; ++k) {
-    const angle = (2 * Math.PI * turns * k) / steps;
-    points.push(new Vector3(Math.cos(angle), Math.sin(angle), (0.12 + (0.76 * k) / steps) * length));
+  constructor(parts: number) {
+    const many = runsOnProcessor() ? parts * 15 : parts;
+    this.detail = many <= 300 ? 1 : many <= 1000 ? 0.6 : 0.34;
   }
-  points.push(new Vector3(0, 0, 0.92 * length), new Vector3(0, 0, length));
-  const wire = new TubeGeometry(new CatmullRomCurve3(points, false, 'centripetal'), points.length * 2, 0.13, 5);
-  return wire.scale(1, 1, 1 / length);
-}
 
-/** A flat spiral about z of radius 1. */
-export function spiral(): BufferGeometry {
-  const points = Array.from({ length: 60 }, (_, k) => {
-    const angle = (k / 59) * 6 * Math.PI;
-    return new Vector3((Math.cos(angle) * k) / 59, (Math.sin(angle) * k) / 59, 0);
-  });
-  return new TubeGeometry(new CatmullRomCurve3(points), 120, 0.06, 5);
+  /** From z = 0 to 1, of these radii at both ends. */
+  frustum(bottom: number, top: number, sides = 32): BufferGeometry {
+    return new CylinderGeometry(top, bottom, 1, this.faces(sides)).translate(0, 0.5, 0).rotateX(halfTurn);
+  }
+
+  cylinder = () => this.frustum(1, 1);
+  rod = () => this.frustum(1, 1, 10);
+  box = () => new BoxGeometry(1, 1, 1);
+  diamond = () => new OctahedronGeometry(1);
+  ball = () => this.sphere(32);
+  smallBall = () => this.sphere(14);
+
+  /** A ring of radius 1 about z, or the arc of it from the x axis on. */
+  ring(tube: number, angle = 2 * Math.PI): BufferGeometry {
+    return new TorusGeometry(1, tube, this.faces(10), this.faces(Math.ceil((56 * Math.abs(angle)) / (2 * Math.PI))), angle);
+  }
+
+  /** From the origin along z, 1 long: shaft and head. */
+  arrow(shaft = 0.035, head = 0.11, headLength = 0.28): BufferGeometry {
+    const neck = 1 - headLength;
+    const tip = this.cone(head, headLength).translate(0, 0, neck + headLength / 2);
+    return mergeGeometries([this.frustum(shaft, shaft, 8).scale(1, 1, neck), tip]);
+  }
+
+  /** The usual sign of a torque vector: two heads, one behind the other. */
+  doubleHeadedArrow = () => mergeGeometries([this.arrow(0.035, 0.11, 0.2), this.cone(0.11, 0.2).translate(0, 0, 0.7)]);
+
+  /** A free translation along z. */
+  straightDoubleArrow = () => {
+    const half = this.arrow(0.04, 0.12, 0.3);
+    return mergeGeometries([half, half.clone().rotateX(Math.PI)]);
+  };
+
+  /** A free rotation about z: three quarters of a ring with a head at each end. */
+  roundDoubleArrow = () => {
+    const [radius, angle] = [0.62, 1.5 * Math.PI];
+    const head = (at: number, turn: number) =>
+      new ConeGeometry(0.12, 0.3, this.faces(12)).rotateZ(turn > 0 ? 0 : Math.PI).translate(radius, 0.1 * turn, 0).rotateZ(at);
+    const arc = new TorusGeometry(radius, 0.04, this.faces(6), this.faces(30), angle).rotateZ(-angle / 2);
+    return mergeGeometries([arc, head(angle / 2, 1), head(-angle / 2, -1)]);
+  };
+
+  /** The border of a square of half width 1 in the xy plane. */
+  squareFrame = () => {
+    const side = () => new BoxGeometry(2, 0.06, 0.06).translate(0, 1, 0);
+    return mergeGeometries([0, 1, 2, 3].map((k) => side().rotateZ(k * halfTurn)));
+  };
+
+  /** A coil spring of radius 1 from z = 0 to 1. */
+  coil(turns: number): BufferGeometry {
+    // About as long as coils are, so that the wire is round when the coil is scaled to its length.
+    const length = turns;
+    const points: Vector3[] = [new Vector3(0, 0, 0), new Vector3(0, 0, 0.08 * length)];
+    const steps = this.faces(turns * 14);
+    for (let k = 0; k <= steps; ++k) {
+      const angle = (2 * Math.PI * turns * k) / steps;
+      points.push(new Vector3(Math.cos(angle), Math.sin(angle), (0.12 + (0.76 * k) / steps) * length));
+    }
+    points.push(new Vector3(0, 0, 0.92 * length), new Vector3(0, 0, length));
+    const wire = new TubeGeometry(new CatmullRomCurve3(points, false, 'centripetal'), points.length * 2, 0.13, 5);
+    return wire.scale(1, 1, 1 / length);
+  }
+
+  /** A flat spiral about z of radius 1. */
+  spiral = () => {
+    const points = Array.from({ length: 60 }, (_, k) => {
+      const angle = (k / 59) * 6 * Math.PI;
+      return new Vector3((Math.cos(angle) * k) / 59, (Math.sin(angle) * k) / 59, 0);
+    });
+    return new TubeGeometry(new CatmullRomCurve3(points), 120, 0.06, 5);
+  };
+
+  /** The axes x, y, z in red, green and blue. */
+  triad = () => {
+    const axis = () => this.arrow(0.03, 0.09, 0.25);
+    return mergeGeometries([
+      painted(axis().rotateY(halfTurn), '#d03a3a'), painted(axis().rotateX(-halfTurn), '#2a9d4a'), painted(axis(), '#3b6fe0'),
+    ]);
+  };
+
+  private sphere(around: number): BufferGeometry {
+    const faces = this.faces(around);
+    return new SphereGeometry(1, faces, Math.max(4, faces / 2)).rotateX(halfTurn);
+  }
+
+  private cone(radius: number, length: number): BufferGeometry {
+    return new ConeGeometry(radius, length, this.faces(14)).rotateX(halfTurn);
+  }
+
+  private faces(most: number): number {
+    return Math.max(4, Math.round(most * this.detail));
+  }
 }
 
 function painted(geometry: BufferGeometry, color: string): BufferGeometry {
@@ -93,20 +118,4 @@ function painted(geometry: BufferGeometry, color: string): BufferGeometry {
   const colors = new Float32Array(count * 3);
   for (let k = 0; k < count; ++k) colors.set([r, g, b], 3 * k);
   return geometry.setAttribute('color', new BufferAttribute(colors, 3));
-}
-
-/** The axes x, y, z in red, green and blue. */
-export function triad(): BufferGeometry {
-  const axis = () => arrow(0.03, 0.09, 0.25);
-  return mergeGeometries([
-    painted(axis().rotateY(halfTurn), '#d03a3a'),
-    painted(axis().rotateX(-halfTurn), '#2a9d4a'),
-    painted(axis(), '#3b6fe0'),
-  ]);
-}
-
-/** A disc and a cylinder wall that are open have two sides. */
-export function open(geometry: BufferGeometry): BufferGeometry {
-  geometry.userData.open = true;
-  return geometry;
 }

@@ -6,7 +6,7 @@ import type { Element } from '../data/contract';
 import type { Table } from '../data/load';
 import type { Motion } from '../data/motion';
 import type { Batch } from './batch';
-import { arrow, doubleHeadedArrow } from './geometries';
+import type { Geometries } from './geometries';
 import { roles } from './palette';
 import { along, positionOf } from './place';
 
@@ -23,6 +23,7 @@ export class Loads {
   constructor(
     private readonly motion: Motion,
     columns: Columns,
+    private readonly geometries: Geometries,
     private readonly size: number,
   ) {
     this.table = motion.results.tables.find((table) => table.name === 'reactions');
@@ -39,8 +40,8 @@ export class Loads {
     const force = (out: Matrix4) => this.place(at, first, this.forceScale, this.largestForce, out);
     const torque = (out: Matrix4) => this.place(at, first + 3, this.torqueScale, this.largestTorque, out);
     const { id } = element;
-    forces.add({ id, kind: 'FORCE', geometry: 'arrow', color: roles.force, place: force }, () => arrow());
-    torques.add({ id, kind: 'TORQUE', geometry: 'arrow', color: roles.torque, place: torque }, doubleHeadedArrow);
+    forces.add({ id, kind: 'FORCE', geometry: 'arrow', color: roles.force, place: force }, () => this.geometries.arrow());
+    torques.add({ id, kind: 'TORQUE', geometry: 'arrow', color: roles.torque, place: torque }, this.geometries.doubleHeadedArrow);
   }
 
   setTime(t: number): void {
@@ -64,5 +65,7 @@ export class Loads {
 }
 
 function largest(values: Float64Array, start: number): number {
-  return values.reduce((most, value) => (Number.isFinite(value) && value > most ? value : most), start);
+  let most = start;
+  for (const value of values) if (value > most && value < Infinity) most = value;
+  return most;
 }

@@ -7,6 +7,7 @@ import { Motion } from '../data/motion';
 import { Batch, type Item, type Placed } from './batch';
 import { Bodies } from './bodies';
 import { FlexibleBody } from './flexible';
+import { Geometries } from './geometries';
 import { Loads } from './loads';
 import { partColor, roles } from './palette';
 import { Shapes } from './shapes';
@@ -17,6 +18,8 @@ import { Traces } from './traces';
 
 export const layerNames = ['parts', 'ground', 'springs', 'joints', 'markers', 'forces', 'torques'] as const;
 export type LayerName = (typeof layerNames)[number];
+
+const mostSymbolsUnasked = 500;
 
 const inFront: LayerName[] = ['joints', 'markers', 'forces', 'torques'];
 
@@ -31,15 +34,17 @@ export class Model {
   readonly symbols: Symbols;
   readonly loads: Loads;
   readonly traces: Traces;
+  private readonly geometries: Geometries;
   private readonly drawnParts = new Set<number>();
 
   constructor(readonly results: Results, columns: Columns) {
     this.motion = new Motion(results);
     this.size = modelSize(this.motion);
+    this.geometries = new Geometries(results.report.parts.length);
     for (const name of layerNames) this.addLayer(name);
-    this.symbols = new Symbols(this.motion, this.layer('joints'));
+    this.symbols = new Symbols(this.motion, this.layer('joints'), this.geometries);
     this.symbols.size = 0.045 * this.size;
-    this.loads = new Loads(this.motion, columns, this.size);
+    this.loads = new Loads(this.motion, columns, this.geometries, this.size);
     this.traces = new Traces(this.motion);
     this.flexible = results.flexible.map((body) => new FlexibleBody(this.motion, body, this.colorOf(body.part)));
     for (const body of this.flexible) this.layer('parts').group.add(body.group);
@@ -50,6 +55,7 @@ export class Model {
     this.addMarkers();
     for (const layer of this.layers.values()) layer.build();
     this.layer('markers').group.visible = false;
+    this.layer('joints').group.visible = results.report.elements.length <= mostSymbolsUnasked;
     this.setTime(this.motion.time);
   }
 
@@ -150,13 +156,13 @@ export class Model {
       const id = graphic.marker ?? graphic.points?.[0] ?? graphic.i ?? 0;
       const part = this.motion.markers.get(id)?.part ?? this.motion.ground;
       const batch = graphic.shape === 'SPDP' ? this.layer('springs') : this.layerOf(part);
-      new Shapes(this.motion, batch, line, (index) => this.colorOf(index)).add(graphic);
+      new Shapes(this.motion, batch, this.geometries, line, (index) => this.colorOf(index)).add(graphic);
       if (graphic.shape !== 'SPDP') this.drawnParts.add(part);
     }
   }
 
   private addBodies(): void {
-    const bodies = new Bodies(this.motion, this.layer('parts'), this.size);
+    const bodies = new Bodies(this.motion, this.layer('parts'), this.geometries, this.size);
     const flexible = new Set(this.results.flexible.map((body) => body.part));
     this.results.report.parts.forEach((part, index) => {
       if (!part.ground && !this.drawnParts.has(index) && !flexible.has(index)) bodies.add(index, this.colorOf(index));
@@ -165,7 +171,7 @@ export class Model {
 
   private addElements(): void {
     const { elements, graphics } = this.results.report;
-    const springs = new Springs(this.motion, this.layer('springs'), this.size);
+    const springs = new Springs(this.motion, this.layer('springs'), this.geometries, this.size);
     const withGraphic = new Set(graphics.filter((g) => g.shape === 'SPDP').map((g) => `${g.i} ${g.j}`));
     for (const element of elements) {
       if (element.kind === 'REQUEST') continue;
@@ -176,7 +182,7 @@ export class Model {
   }
 
   private addMarkers(): void {
-    const markers = new Symbols(this.motion, this.layer('markers'));
+    const markers = new Symbols(this.motion, this.layer('markers'), this.geometries);
     markers.size = 0.04 * this.size;
     for (const { id, part } of this.results.report.markers) markers.addMarker(id, this.results.report.parts[part].id);
   }

@@ -4,13 +4,13 @@ import { BufferGeometry, Color, Matrix4, Vector3 } from 'three';
 import type { Graphic } from '../data/contract';
 import type { Motion } from '../data/motion';
 import type { Batch, Item } from './batch';
-import { ball, box, coil, frustum, open, ring, rod } from './geometries';
+import type { Geometries } from './geometries';
 import { between, positionOf, scaling, shifted } from './place';
 import { roles } from './palette';
 
 interface Solid {
   geometry: string;
-  make: () => BufferGeometry;
+  make: (geometries: Geometries) => BufferGeometry;
   local: Matrix4;
 }
 
@@ -24,7 +24,7 @@ function angleOf(g: Graphic): number {
 }
 
 function cylinder(radius: number, length: number): Solid {
-  return { geometry: 'rod24', make: () => frustum(1, 1), local: scaling(radius, radius, length).multiply(flip(length)) };
+  return { geometry: 'rod24', make: (g) => g.cylinder(), local: scaling(radius, radius, length).multiply(flip(length)) };
 }
 
 // A negative scale would turn the surface inside out.
@@ -38,31 +38,31 @@ function frustumSolid(g: Graphic): Solid {
   const [a, b] = [round(Math.abs(bottom) / widest), round(Math.abs(top) / widest)];
   const [first, last] = length < 0 ? [b, a] : [a, b];
   const place = shifted(0, 0, Math.min(0, length)).multiply(scaling(widest, widest, Math.abs(length)));
-  return { geometry: `frustum ${first} ${last}`, make: () => frustum(first, last), local: place };
+  return { geometry: `frustum ${first} ${last}`, make: (geometries) => geometries.frustum(first, last), local: place };
 }
 
 function boxSolid(g: Graphic): Solid {
   const [x, y, z] = ['x', 'y', 'z'].map((name) => value(g, name));
   const size = scaling(Math.abs(x), Math.abs(y), Math.abs(z));
-  return { geometry: 'box', make: box, local: shifted(x / 2, y / 2, z / 2).multiply(size) };
+  return { geometry: 'box', make: (geometries) => geometries.box(), local: shifted(x / 2, y / 2, z / 2).multiply(size) };
 }
 
 function ellipsoidSolid(g: Graphic): Solid {
   const [x, y, z] = ['xscale', 'yscale', 'zscale'].map((name) => Math.abs(value(g, name)) / 2);
-  return { geometry: 'ball', make: ball, local: scaling(x, y, z) };
+  return { geometry: 'ball', make: (geometries) => geometries.ball(), local: scaling(x, y, z) };
 }
 
 function ringSolid(g: Graphic, line: number): Solid {
   const radius = Math.abs(value(g, 'radius')) || line;
   const tube = round(Math.min(0.2, line / radius));
   const angle = g.shape === 'ARC' ? round(angleOf(g)) : turn;
-  return { geometry: `ring ${tube} ${angle}`, make: () => ring(tube, angle), local: scaling(radius, radius, radius) };
+  return { geometry: `ring ${tube} ${angle}`, make: (geometries) => geometries.ring(tube, angle), local: scaling(radius, radius, radius) };
 }
 
 function torusSolid(g: Graphic): Solid {
   const major = Math.abs(value(g, 'major', value(g, 'radius'))) || 1;
   const tube = round(Math.abs(value(g, 'minor', major / 5)) / major);
-  return { geometry: `ring ${tube} ${turn}`, make: () => ring(tube), local: scaling(major, major, major) };
+  return { geometry: `ring ${tube} ${turn}`, make: (geometries) => geometries.ring(tube), local: scaling(major, major, major) };
 }
 
 // Only part of the way round: a wall seen from both sides.
@@ -70,7 +70,7 @@ function sector(g: Graphic): Solid {
   const angle = round(angleOf(g));
   const solid = g.shape === 'FRUSTUM' ? frustumSolid(g) : cylinder(Math.abs(value(g, 'radius')), Math.abs(value(g, 'length')));
   const [bottom, top] = g.shape === 'FRUSTUM' ? solid.geometry.split(' ').slice(1).map(Number) : [1, 1];
-  return { ...solid, geometry: `sector ${bottom} ${top} ${angle}`, make: () => open(wall(bottom, top, angle)) };
+  return { ...solid, geometry: `sector ${bottom} ${top} ${angle}`, make: () => wall(bottom, top, angle) };
 }
 
 function wall(bottom: number, top: number, angle: number): BufferGeometry {
@@ -85,6 +85,7 @@ function wall(bottom: number, top: number, angle: number): BufferGeometry {
   }
   geometry.setFromPoints(points);
   geometry.computeVertexNormals();
+  geometry.userData.open = true;
   return geometry;
 }
 
@@ -105,6 +106,7 @@ export class Shapes {
   constructor(
     private readonly motion: Motion,
     private readonly batch: Batch,
+    private readonly geometries: Geometries,
     private readonly line: number,
     private readonly colorOfPart: (part: number) => Color,
   ) {}
@@ -117,7 +119,7 @@ export class Shapes {
 
   private addSolid(g: Graphic): void {
     const solid = solidOf(g, this.line);
-    if (solid) this.batch.add(this.fixed(g, g.marker ?? 0, solid), solid.make);
+    if (solid) this.batch.add(this.fixed(g, g.marker ?? 0, solid), () => solid.make(this.geometries));
   }
 
   private addOutline(g: Graphic): void {
@@ -131,11 +133,11 @@ export class Shapes {
     if (a.part === b.part && !a.flexible) {
       const local = between(positionOf(a.local), positionOf(b.local), this.line);
       const frame = this.motion.partFrames[a.part];
-      if (local) this.batch.add({ ...this.describe(g, a.part), geometry: 'rod', frame, local }, rod);
+      if (local) this.batch.add({ ...this.describe(g, a.part), geometry: 'rod', frame, local }, this.geometries.rod);
       return;
     }
     const place = (out: Matrix4) => between(positionOf(a.frame), positionOf(b.frame), this.line, out) !== null;
-    this.batch.add({ ...this.describe(g, a.part), geometry: 'rod', place }, rod);
+    this.batch.add({ ...this.describe(g, a.part), geometry: 'rod', place }, this.geometries.rod);
   }
 
   private addSpring(g: Graphic): void {
@@ -145,11 +147,11 @@ export class Shapes {
     const turns = Math.min(60, Math.max(1, Math.round(value(g, 'coils', 6))));
     const radius = value(g, 'da') / 2 || 6 * this.line;
     const item = (geometry: string, place: Item['place']) => ({ ...this.describe(g, part), color: roles.spring, geometry, place });
-    this.batch.add(item(`coil ${turns}`, (out) => placeBetween(ends, radius, 0, 1, out)), () => coil(turns));
+    this.batch.add(item(`coil ${turns}`, (out) => placeBetween(ends, radius, 0, 1, out)), () => this.geometries.coil(turns));
     const damper = { from: i, to: j, startGap: value(g, 'lc'), endGap: value(g, 'ld') };
     const [outer, inner] = [value(g, 'db') / 2, value(g, 'dc') / 2];
-    if (outer > 0) this.batch.add(item('rod24', (out) => placeBetween(damper, outer, 0, 0.6, out)), () => frustum(1, 1));
-    if (inner > 0) this.batch.add(item('rod24', (out) => placeBetween(damper, inner, 0.4, 1, out)), () => frustum(1, 1));
+    if (outer > 0) this.batch.add(item('rod24', (out) => placeBetween(damper, outer, 0, 0.6, out)), this.geometries.cylinder);
+    if (inner > 0) this.batch.add(item('rod24', (out) => placeBetween(damper, inner, 0.4, 1, out)), this.geometries.cylinder);
   }
 
   private describe(g: Graphic, part: number): Omit<Item, 'geometry'> {

@@ -4,7 +4,7 @@ import { Matrix4 } from 'three';
 import type { Element } from '../data/contract';
 import type { Motion } from '../data/motion';
 import type { Batch, Item } from './batch';
-import { coil, ring, rod, spiral } from './geometries';
+import type { Geometries } from './geometries';
 import { roles } from './palette';
 import { between, positionOf, scaling } from './place';
 
@@ -14,6 +14,7 @@ export class Springs {
   constructor(
     private readonly motion: Motion,
     private readonly batch: Batch,
+    private readonly geometries: Geometries,
     private readonly size: number,
   ) {}
 
@@ -39,11 +40,11 @@ export class Springs {
 
   private addCoil(element: Element): void {
     const place = this.line(element, 0.018 * this.size);
-    this.batch.add(this.item(element, 'coil', place), () => coil(round.turns));
+    this.batch.add(this.item(element, 'coil', place), () => this.geometries.coil(round.turns));
   }
 
   private addLine(element: Element): void {
-    this.batch.add(this.item(element, 'rod', this.line(element, 0.0025 * this.size)), rod);
+    this.batch.add(this.item(element, 'rod', this.line(element, 0.0025 * this.size)), this.geometries.rod);
   }
 
   private at(marker: number, scale: number): Item['place'] {
@@ -53,12 +54,12 @@ export class Springs {
   }
 
   private addSpiral(element: Element): void {
-    this.batch.add(this.item(element, 'spiral', this.at(element.j, 0.03 * this.size)), spiral);
+    this.batch.add(this.item(element, 'spiral', this.at(element.j, 0.03 * this.size)), this.geometries.spiral);
   }
 
   private addBushing(element: Element): void {
     for (const [marker, scale] of [[element.i, 0.018], [element.j, 0.026]]) {
-      this.batch.add(this.item(element, 'bush', this.at(marker, scale * this.size)), () => ring(round.tube));
+      this.batch.add(this.item(element, 'bush', this.at(marker, scale * this.size)), () => this.geometries.ring(round.tube));
     }
   }
 }

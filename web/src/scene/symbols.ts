@@ -5,7 +5,7 @@ import type { Element } from '../data/contract';
 import type { Motion } from '../data/motion';
 import type { Batch, Item } from './batch';
 import { coreOf, freedomsOf, type Freedom } from './freedoms';
-import { ball, box, diamond, rod, roundDoubleArrow, squareFrame, straightDoubleArrow, triad } from './geometries';
+import type { Geometries } from './geometries';
 import { roles } from './palette';
 import { scaling } from './place';
 
@@ -15,12 +15,14 @@ const toAxis = {
   z: new Matrix4(),
 };
 
-const cores = {
-  cube: { geometry: 'cube', make: box, local: scaling(0.36, 0.36, 0.36) },
-  line: { geometry: 'rod', make: rod, local: scaling(0.09, 0.09, 1.1).multiply(new Matrix4().makeTranslation(0, 0, -0.5)) },
-  plane: { geometry: 'square', make: squareFrame, local: scaling(0.95, 0.95, 1) },
-  ball: { geometry: 'ball', make: () => ball(14), local: scaling(0.2, 0.2, 0.2) },
+const cores: Record<ReturnType<typeof coreOf>, { geometry: string; make: 'box' | 'rod' | 'squareFrame' | 'smallBall'; local: Matrix4 }> = {
+  cube: { geometry: 'cube', make: 'box', local: scaling(0.36, 0.36, 0.36) },
+  line: { geometry: 'rod', make: 'rod', local: scaling(0.09, 0.09, 1.1).multiply(new Matrix4().makeTranslation(0, 0, -0.5)) },
+  plane: { geometry: 'square', make: 'squareFrame', local: scaling(0.95, 0.95, 1) },
+  ball: { geometry: 'ball', make: 'smallBall', local: scaling(0.2, 0.2, 0.2) },
 };
+
+type Make = Parameters<Batch['add']>[1];
 
 export class Symbols {
   size = 1;
@@ -28,19 +30,20 @@ export class Symbols {
   constructor(
     private readonly motion: Motion,
     private readonly batch: Batch,
+    private readonly geometries: Geometries,
   ) {}
 
   addElement(element: Element): void {
     const freedoms = freedomsOf(element.kind, element.type);
     if (freedoms) {
       const { geometry, make, local } = cores[coreOf(element.type)];
-      this.add(element, 'core', geometry, make, roles.held, element.i || element.j, element.j, local);
+      this.add(element, 'core', geometry, this.geometries[make], roles.held, element.i || element.j, element.j, local);
       for (const freedom of freedoms) this.addFreedom(element, freedom);
     } else if (element.kind === 'MOTION') {
-      this.add(element, 'symbol', 'round', roundDoubleArrow, roles.motion, element.i, element.j, scaling(0.75, 0.75, 0.75));
+      this.add(element, 'symbol', 'round', this.geometries.roundDoubleArrow, roles.motion, element.i, element.j, scaling(0.75, 0.75, 0.75));
     } else {
       const color = element.isForce ? roles.spring : roles.held;
-      this.add(element, 'symbol', 'diamond', diamond, color, element.i || element.j, element.j, scaling(0.24, 0.24, 0.24));
+      this.add(element, 'symbol', 'diamond', this.geometries.diamond, color, element.i || element.j, element.j, scaling(0.24, 0.24, 0.24));
     }
   }
 
@@ -48,20 +51,20 @@ export class Symbols {
     const frame = this.motion.markerFrame(id);
     const place = (out: Matrix4) => this.placeScaled(frame, frame, scaling(0.8, 0.8, 0.8), out);
     const item: Item = { id: `MARKER/${id}`, alsoOf: owner, kind: 'MARKER', geometry: 'triad', color: roles.white, place };
-    this.batch.add(item, triad);
+    this.batch.add(item, this.geometries.triad);
   }
 
   private addFreedom(element: Element, freedom: Freedom): void {
     const straight = freedom.kind === 'translation';
     const marker = freedom.of === 'I' ? element.i : element.j;
-    const make = straight ? straightDoubleArrow : roundDoubleArrow;
+    const make = straight ? this.geometries.straightDoubleArrow : this.geometries.roundDoubleArrow;
     const geometry = straight ? 'straight' : 'round';
     this.add(element, freedom.kind, geometry, make, roles.free, element.i || element.j, marker, toAxis[freedom.axis]);
   }
 
   // At the origin of one marker, along the axes of another.
   private add(
-    element: Element, kind: string, geometry: string, make: Parameters<Batch['add']>[1], color: Color,
+    element: Element, kind: string, geometry: string, make: Make, color: Color,
     at: number, axes: number, local: Matrix4,
   ): void {
     const [origin, frame] = [this.motion.markerFrame(at), this.motion.markerFrame(axes)];

@@ -2,22 +2,22 @@
 // The picture: renderer, camera and mouse. It draws only when something changed.
 import {
   Box3, Color, DirectionalLight, GridHelper, HemisphereLight, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3,
-  WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { niceBelow } from '../data/numbers';
 import { firstDirection, fitPoints, upFrom, viewDirection, type ViewName } from './camera';
 import type { Model } from './model';
 import { background, gridColors } from './palette';
+import { Surface } from './surface';
 
 export class Viewer {
   readonly camera = new PerspectiveCamera(24, 1, 0.1, 1000);
   readonly controls: OrbitControls;
   onPick: (id: string | null) => void = () => undefined;
   onFrame: (now: number) => void = () => undefined;
-  onDrawn: () => void = () => undefined;
+  isMoving: () => boolean = () => false;
   cell = 0;
-  private readonly renderer: WebGLRenderer;
+  readonly surface: Surface;
   private readonly solids = new Scene();
   private readonly overlay = new Scene();
   private readonly up: Vector3;
@@ -25,12 +25,9 @@ export class Viewer {
   private readonly motionBox: Box3;
   private grid: GridHelper | null = null;
   private pending = false;
-  private drawnAt: number[] = [];
 
   constructor(readonly canvas: HTMLCanvasElement, private readonly model: Model) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.renderer.autoClear = false;
+    this.surface = new Surface(canvas, [this.solids, this.overlay], this.camera);
     this.up = upFrom(model.results.report.gravity);
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -46,11 +43,8 @@ export class Viewer {
   }
 
   resize(width: number, height: number): void {
-    if (width < 1 || height < 1) return;
-    this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    this.draw();
+    const first = this.surface.info().frames === 0;
+    if (this.surface.resize(width, height) && !first) this.surface.draw(this.isMoving());
   }
 
   /** Draws in the next frame of the browser. */
@@ -60,7 +54,7 @@ export class Viewer {
     requestAnimationFrame((now) => {
       this.pending = false;
       this.onFrame(now);
-      this.draw();
+      this.surface.draw(this.isMoving());
     });
   }
 
@@ -104,33 +98,6 @@ export class Viewer {
   axes(): Vector3[] {
     const inverse = this.camera.quaternion.clone().invert();
     return [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map((axis) => axis.applyQuaternion(inverse));
-  }
-
-  png(): string {
-    this.draw();
-    return this.canvas.toDataURL('image/png');
-  }
-
-  /** Frames drawn in the second before the last one. */
-  fps(): number {
-    const last = this.drawnAt.at(-1) ?? 0;
-    return this.drawnAt.filter((at) => at > last - 1000).length;
-  }
-
-  info(): { calls: number; triangles: number; frames: number } {
-    const { calls, triangles, frame } = this.renderer.info.render;
-    return { calls, triangles, frames: frame };
-  }
-
-  private draw(): void {
-    this.renderer.clear();
-    this.renderer.render(this.solids, this.camera);
-    this.renderer.clearDepth();
-    this.renderer.render(this.overlay, this.camera);
-    const now = performance.now();
-    this.drawnAt.push(now);
-    if (this.drawnAt.length > 240) this.drawnAt.shift();
-    this.onDrawn();
   }
 
   private look(direction: Vector3): void {

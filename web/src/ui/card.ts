@@ -25,7 +25,7 @@ export class Card {
     private readonly actions: CardActions,
   ) {
     app.on('selection', () => this.show());
-    app.on('time', () => this.update());
+    app.on('values', () => this.update());
   }
 
   private show(): void {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canvas with what lies over it: views, the axes, and the name of the selection.
+import { Quaternion } from 'three';
 import type { App } from '../app';
 import { withUnit } from '../data/numbers';
 import type { Model } from '../scene/model';
@@ -16,6 +17,7 @@ export class Picture {
   readonly viewer: Viewer;
   private readonly label = make('div', { className: 'name-label', hidden: true });
   private readonly axes: SVGSVGElement;
+  private readonly axesDrawnFor = new Quaternion(0, 0, 0, 0);
   private drawnTime = NaN;
 
   constructor(private readonly app: App, readonly model: Model, private readonly title: string) {
@@ -28,7 +30,8 @@ export class Picture {
     new ResizeObserver(() => this.viewer.resize(this.element.clientWidth, this.element.clientHeight)).observe(this.element);
     this.viewer.onPick = (id) => app.select(id);
     this.viewer.onFrame = (now) => this.frame(now);
-    this.viewer.onDrawn = () => this.overlay();
+    this.viewer.isMoving = () => app.playing;
+    this.viewer.surface.onDrawn = () => this.overlay();
     for (const event of ['time', 'playing'] as const) app.on(event, () => this.viewer.invalidate());
     app.on('selection', () => this.highlight());
     onSchemeChange(() => {
@@ -71,7 +74,7 @@ export class Picture {
 
   private save(): void {
     this.update();
-    const bytes = Uint8Array.from(atob(this.viewer.png().split(',')[1]), (letter) => letter.charCodeAt(0));
+    const bytes = Uint8Array.from(atob(this.viewer.surface.toDataUrl().split(',')[1]), (letter) => letter.charCodeAt(0));
     download(fileName(this.title, '.png'), new Blob([bytes], { type: 'image/png' }));
   }
 
@@ -93,7 +96,8 @@ export class Picture {
   private related(id: string | null): Set<string> {
     const { report } = this.model.results;
     const element = report.elements.find((candidate) => candidate.id === id);
-    const markers = element ? [element.i, element.j].map((marker) => this.model.motion.markers.get(marker)) : [];
+    const ids = element ? [element.i, element.j] : id?.startsWith('MARKER/') ? [Number(id.slice(7))] : [];
+    const markers = ids.map((marker) => this.model.motion.markers.get(marker));
     return new Set(markers.flatMap((marker) => (marker ? [report.parts[marker.part].id] : [])));
   }
 
@@ -110,6 +114,9 @@ export class Picture {
   }
 
   private drawAxes(): void {
+    const { quaternion } = this.viewer.camera;
+    if (quaternion.equals(this.axesDrawnFor)) return;
+    this.axesDrawnFor.copy(quaternion);
     const marks = this.viewer.axes().map((direction, k) => ({ direction, name: 'XYZ'[k], depth: direction.z }));
     marks.sort((a, b) => a.depth - b.depth);
     this.axes.replaceChildren(...marks.flatMap(({ direction, name }) => {

@@ -47,7 +47,7 @@ function overview(report: Report): HTMLElement | null {
   const joints = elements.filter((element) => !element.isForce && element.kind !== 'REQUEST').length;
   const rows: [string, string][] = [
     ['Dataset', text.file ?? ''],
-    ['Model', `${count(parts.filter((part) => !part.ground).length, 'part')}, ${count(joints, 'constraint element')}`],
+    ['Size', `${count(parts.filter((part) => !part.ground).length, 'part')}, ${count(joints, 'constraint')}`],
     ['Degrees of freedom', text.freedoms === null || text.freedoms === undefined ? '' : String(text.freedoms)],
     ['Units', `${units.length}, ${units.force}, ${units.mass}, ${units.time}; angles in rad`],
   ];

@@ -25,7 +25,8 @@ export class TimeBar {
       this.speeds(), loop);
     this.slider.oninput = () => this.scrub();
     this.field.onchange = () => this.goTo();
-    app.on('time', () => this.show());
+    app.on('time', () => this.showPlace());
+    app.on('values', () => this.show());
     app.on('playing', () => this.showPlaying());
     this.show();
   }
@@ -54,9 +55,14 @@ export class TimeBar {
     return select;
   }
 
-  private show(): void {
+  private showPlace(): void {
     const { start, end, time } = this.app;
     this.slider.value = String(end > start ? Math.round((steps * (time - start)) / (end - start)) : 0);
+  }
+
+  private show(): void {
+    this.showPlace();
+    const { time } = this.app;
     const text = shortNumber(Number(time.toPrecision(5)));
     if (document.activeElement !== this.field) this.field.value = text;
     this.slider.setAttribute('aria-valuetext', `${text} ${this.unit}`);

@@ -63,9 +63,10 @@ function parts() {
   ];
 }
 
-export function sliderCrank() {
+const uniform = Array.from({ length: rows }, (_, k) => (k * end) / (rows - 1));
+
+export function sliderCrank(times = uniform) {
   const blocks = new Blocks(true);
-  const times = Array.from({ length: rows }, (_, k) => (k * end) / (rows - 1));
   const marker = (id, part, x = 0, y = 0, q = [1, 0, 0, 0]) => ({ id, part, pose: [x, y, 0, ...q] });
   const alongX = [Math.SQRT1_2, 0, Math.SQRT1_2, 0];
   const report = {
@@ -83,7 +84,7 @@ export function sliderCrank() {
       element(1, 'ROTATIONAL', 20, 10, 24, 'MOTION')],
     graphics: [{ id: 'GRAPHICS/1', shape: 'BOX', marker: 42, values: { x: 60, y: 40, z: 30 } }],
     flexible: [],
-    frames: { time: blocks.array('f64', [rows], times), poses: blocks.array('f32', [rows, 4, 7], times.flatMap((t) => posesAt(t).flat())) },
+    frames: { time: blocks.array('f64', [times.length], times), poses: blocks.array('f32', [times.length, 4, 7], times.flatMap((t) => posesAt(t).flat())) },
     tables: tables(blocks, times),
   };
   return { report, blocks };
