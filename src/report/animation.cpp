@@ -181,6 +181,7 @@ void Animation::Recording::describeShapes(ReportData& data) const {
             places.push_back(parts.size());
             parts.push_back(
                 makePart(fmt::format("place {}", parts.size() - m_parts.size() + 1), makeMassless()));
+            parts.back()["ground"] = true;  // no body is drawn there
             X = Transform();
         }
         if (!places.empty()) scene.add(placed.shape, places);

@@ -6,10 +6,12 @@
 
 #include <filesystem>
 
+#include "jprim/flexible/reduce_to_modes.h"
 #include "report/describe.h"
 #include "report/report_reader.h"
 #include "support/expect_error.h"
 #include "support/run_dataset.h"
+#include "support/steel_beam.h"
 
 namespace jprim {
 namespace {
@@ -153,6 +155,46 @@ TEST(Report, GraphicsThatAreDrawn) {
     EXPECT_EQ(graphics[4]["i"], 30);
     EXPECT_EQ(graphics[4]["values"].dump(), R"({"coils":7.0,"da":4.0})");
     EXPECT_NEAR(graphics[5]["values"]["angle"].get<double>(), SimTK_PI / 2, 1e-12);
+}
+
+// What the page makes of a node - pose, point and modes times amplitudes - is where a marker on that node was.
+TEST(Report, FlexibleBodiesDeformAsTheyDid) {
+    constexpr int Elements = 4, End = Elements + 1;
+    UniformBeam beam = testing::makeSteelBeam(Elements);
+    beam.youngsModulus /= 200;
+    beam.shearModulus /= 200;
+    const std::string file = ::testing::TempDir() + "jprim_report_beam.modes";
+    saveModalBasis(reduceToModes(makeFiniteElementModel(beam), {{{1}, 0, {}}, {{End}, 0, {}}}, 2), file);
+    const Reported r(
+        "beam\nUNITS/FORCE=NEWTON,MASS=TONNE,LENGTH=MILLIMETER,TIME=SECOND\nACCGRAV/KGRAV=-500\n"
+        "PART/1,GROUND\nMARKER/10,QP=300,200,100\nFLEX_BODY/1,MODES_FILE='" +
+            file +
+            "',QG=300,200,100,REULER=30D,0,0\nMARKER/20,NODE_ID=1\nMARKER/21,NODE_ID=5,QP=2000,0,0\n"
+            "JOINT/1,FIXED,I=20,J=10\nREQUEST/1,DISPLACEMENT,I=21\n",
+        {}, 2, 10);
+    REQUIRE_PAGE(r);
+    const auto& flexible = r.report->json["flexible"].at(0);
+    const std::vector<double> points = r.report->read(flexible["points"]),
+                              modes = r.report->read(flexible["modes"]),
+                              amplitudes = r.report->read(flexible["amplitudes"]),
+                              poses = r.report->read(r.report->json["frames"]["poses"]);
+    const size_t nodes = points.size() / 3, m = modes.size() / points.size(), parts = 2, end = End - 1;
+    ASSERT_EQ(amplitudes.size(), 11 * m);
+    double largest = 0;
+    for (size_t frame = 0; frame < 11; ++frame) {
+        SimTK::Vec3 p(points[3 * end], points[3 * end + 1], points[3 * end + 2]);
+        for (size_t mode = 0; mode < m; ++mode)
+            for (int k = 0; k < 3; ++k)
+                p[k] += amplitudes[frame * m + mode] * modes[(mode * nodes + end) * 3 + size_t(k)];
+        largest = std::max(largest, std::abs(p[2]));
+        const double* const e = poses.data() + (frame * parts + 1) * 7;
+        const SimTK::Rotation R(SimTK::Quaternion(SimTK::Vec4(e[3], e[4], e[5], e[6])));
+        const SimTK::Vec3 drawn = SimTK::Vec3(e[0], e[1], e[2]) + R * p;
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(drawn[k], r.results.requests.getColumn(std::string("R1.") + "XYZ"[k])[frame], 2e-3)
+                << frame;
+    }
+    EXPECT_GT(largest, 1);  // it bends by millimetres
 }
 
 TEST(Report, TextsCannotEndTheirElement) {
