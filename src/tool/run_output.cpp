@@ -34,7 +34,8 @@ void RunOutput::add(const ResultRow& row) {
 RunRecord RunOutput::makeRecord(Formulation formulation) const {
     RunRecord record;
     if (m_files)
-        record.model = fs::proximate(fs::absolute(m_modelFile), fs::absolute(m_arguments.out)).generic_string();
+        record.model =
+            fs::proximate(fs::absolute(m_modelFile), fs::absolute(m_arguments.out)).generic_string();
     record.fingerprint = makeFingerprint(readFile(m_modelFile).value_or(""));
     record.formulation = formulation;
     record.options = m_arguments.options;
