@@ -37,9 +37,10 @@ const std::map<std::string, Rooms> AllowedUses = {
     {"simulation",
      {"base", "expression", "linear_algebra", "marker", "general", "force", "joint", "analysis", "dataset",
       "mechanism", "results"}},
+    {"report", {"base", "flexible", "marker", "dataset", "mechanism", "results", "simulation"}},
     {"tool",
      {"base", "expression", "flexible", "marker", "primitive", "general", "force", "joint", "analysis",
-      "dataset", "mechanism", "results", "simulation"}}};
+      "dataset", "mechanism", "results", "simulation", "report"}}};
 
 std::vector<fs::path> findFiles(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;

@@ -40,7 +40,7 @@ std::vector<StatementKind> makeKinds() {
                                         describeMrequest(),
                                         describePinput(),
                                         describePoutput(),
-                                        describeIgnored("GRAPHICS", 2, true),
+                                        describeGraphics(),
                                         describeIgnored("MATERIAL", 4, true),
                                         describeIgnored("STRING", 2, true),
                                         describeIgnored("OUTPUT", 3, false),

@@ -36,10 +36,22 @@ void putInAxes(const SpatialVec& inGround, const State& state, const Marker& axe
 
 }  // namespace
 
-Recorder::Recorder(const Mechanism& mechanism, ResultSink& sink) : m_mechanism(mechanism), m_sink(sink) {
-    const double second = m_mechanism.getUnits().time;
+Recorder::Units::Units(const UnitSystem& u)
+    : time{"time", u.time},
+      length{"length", u.length},
+      velocity{"length/time", u.getVelocity()},
+      acceleration{"length/time^2", u.getAcceleration()},
+      angle{"rad", 1},
+      angularVelocity{"rad/time", u.getAngularVelocity()},
+      angularAcceleration{"rad/time^2", u.getAngularAcceleration()},
+      force{"force", u.force},
+      moment{"force length", u.getMoment()} {}
+
+Recorder::Recorder(const Mechanism& mechanism, ResultSink& sink)
+    : m_mechanism(mechanism), m_sink(sink), m_units(mechanism.getUnits()) {
     for (const Table* table : {&m_requests, &m_reactions, &m_parts})
-        addGroup(*table, "", {{"time", second}}, [](const State& s, double* out) { *out = s.getTime(); });
+        addGroup(*table, "", "", {{"time", m_units.time}},
+                 [](const State& s, double* out) { *out = s.getTime(); });
     addRequests();
     for (const Element& element : m_mechanism.getElements()) addReactions(element);
     for (const MechanismPart& part : m_mechanism.getParts()) {
@@ -48,27 +60,33 @@ Recorder::Recorder(const Mechanism& mechanism, ResultSink& sink) : m_mechanism(m
         addModes(part);
     }
     addEnergy();
+    addErrors();
+    m_signs = EulerSigns(m_columns.parts);
     m_sink.begin(m_columns);
 }
 
-void Recorder::addGroup(const Table& table, const std::string& prefix, const std::vector<Column>& columns,
+void Recorder::addGroup(const Table& table, const std::string& element, const std::string& prefix,
+                        const std::vector<Column>& columns,
                         std::function<void(const State&, double*)> calcInSI) {
     Group group{table, table.row.size(), {}, std::move(calcInSI), {}};
     for (const Column& column : columns) {
         table.columns.push_back(prefix + column.name);
         table.row.push_back(0);
-        group.unitsInSI.push_back(column.unitInSI);
+        table.descriptions.push_back({table.columns.back(), column.unit.dimension, element});
+        group.unitsInSI.push_back(column.unit.inSI);
     }
     m_groups.push_back(std::move(group));
 }
 
-void Recorder::record(const State& state) {
+void Recorder::record(const State& state, const Violation& violation) {
+    m_violation = violation;
     for (Group& group : m_groups) {
         double* const values = group.table.row.data() + group.first;
         group.calcInSI(state, values);
         for (size_t k = 0; k < group.unitsInSI.size(); ++k) values[k] /= group.unitsInSI[k];
         watch(group);
     }
+    m_signs.makeContinuous(m_row.parts);
     m_sink.add(m_row);
 }
 
@@ -169,32 +187,31 @@ void Recorder::addRequests() {
 }
 
 void Recorder::addRequest(const MechanismRequest& request) {
-    const UnitSystem& u = m_mechanism.getUnits();
+    const Units& u = m_units;
     // The first four columns are linear, the others angular.
-    const auto add = [&](double linear, double angular, auto calc) {
+    const auto add = [&](const Unit& linear, const Unit& angular, auto calc) {
         std::vector<Column> columns;
         for (const std::string& name : nameComponents(request))
             columns.push_back({name, columns.size() < 4 ? linear : angular});
-        addGroup(m_requests, "", columns,
+        addGroup(m_requests, fmt::format("REQUEST/{}", request.id), "", columns,
                  [calc, request](const State& s, double* out) { calc(request, s, out); });
     };
     switch (request.type) {
-        case RequestType::Displacement: return add(u.length, 1, calcDisplacement);
-        case RequestType::Velocity: return add(u.getVelocity(), u.getAngularVelocity(), calcVelocity);
-        case RequestType::Acceleration:
-            return add(u.getAcceleration(), u.getAngularAcceleration(), calcAcceleration);
-        case RequestType::Force: return add(u.force, u.getMoment(), calcForce);
-        case RequestType::Expressions: return add(1, 1, calcFunctions);
+        case RequestType::Displacement: return add(u.length, u.angle, calcDisplacement);
+        case RequestType::Velocity: return add(u.velocity, u.angularVelocity, calcVelocity);
+        case RequestType::Acceleration: return add(u.acceleration, u.angularAcceleration, calcAcceleration);
+        case RequestType::Force: return add(u.force, u.moment, calcForce);
+        case RequestType::Expressions: return add(Plain, Plain, calcFunctions);
     }
 }
 
 //----------------------------------------------------------------------------- reactions, parts, energy
 void Recorder::addReactions(const Element& element) {
     if (element.isForce()) return;
-    const double F = m_mechanism.getUnits().force, M = m_mechanism.getUnits().getMoment();
+    const Unit F = m_units.force, M = m_units.moment;
     const auto add = [&](const char* side, const LoadFunction& load) {
         if (!load) return;
-        addGroup(m_reactions, element.getName() + side,
+        addGroup(m_reactions, element.getName(), element.getName() + side,
                  {{"FX", F}, {"FY", F}, {"FZ", F}, {"TX", M}, {"TY", M}, {"TZ", M}},
                  [load](const State& s, double* out) {
                      const SpatialVec onMarker = load(s);
@@ -206,16 +223,15 @@ void Recorder::addReactions(const Element& element) {
 }
 
 void Recorder::addPart(const MechanismPart& part) {
-    const UnitSystem& u = m_mechanism.getUnits();
-    const double L = u.length, V = u.getVelocity(), W = u.getAngularVelocity();
-    addGroup(m_parts, part.name + ".",
+    const Unit L = m_units.length, V = m_units.velocity, W = m_units.angularVelocity;
+    addGroup(m_parts, part.name, part.name + ".",
              {{"X", L},
               {"Y", L},
               {"Z", L},
-              {"E0", 1},
-              {"E1", 1},
-              {"E2", 1},
-              {"E3", 1},
+              {"E0", Plain},
+              {"E1", Plain},
+              {"E2", Plain},
+              {"E3", Plain},
               {"VX", V},
               {"VY", V},
               {"VZ", V},
@@ -237,21 +253,40 @@ void Recorder::addModes(const MechanismPart& part) {
     const UnitSystem& u = m_mechanism.getUnits();
     std::vector<Column> columns;
     for (int k = 1; k <= part.flexible->getNumModes(); ++k)
-        columns.push_back({fmt::format("Q{}", k), std::sqrt(u.mass) * u.length});
-    addGroup(m_parts, part.name + ".", columns, [body = *part.flexible](const State& s, double* out) {
-        const SimTK::Vector q = body.getModalCoordinates(s);
-        std::copy(&q[0], &q[0] + q.size(), out);
-    });
+        columns.push_back({fmt::format("Q{}", k), {"mass^(1/2) length", std::sqrt(u.mass) * u.length}});
+    addGroup(m_parts, part.name, part.name + ".", columns,
+             [body = *part.flexible](const State& s, double* out) {
+                 const SimTK::Vector q = body.getModalCoordinates(s);
+                 std::copy(&q[0], &q[0] + q.size(), out);
+             });
 }
 
 void Recorder::addEnergy() {
-    const double E = m_mechanism.getUnits().getEnergy();
-    addGroup(m_parts, "energy.", {{"kinetic", E}, {"potential", E}, {"total", E}},
+    const Unit E = m_units.moment;
+    addGroup(m_parts, "", "energy.", {{"kinetic", E}, {"potential", E}, {"total", E}},
              [&mechanism = m_mechanism](const State& s, double* out) {
                  out[0] = mechanism.calcKineticEnergy(s);
                  out[1] = mechanism.getSystem().calcPotentialEnergy(s);
                  out[2] = out[0] + out[1];
              });
+}
+
+void Recorder::addErrors() {
+    addGroup(m_parts, "", "error.", {{"length", m_units.length}, {"angle", m_units.angle}},
+             [this](const State&, double* out) {
+                 out[0] = m_violation.length;
+                 out[1] = m_violation.angle;
+             });
+}
+
+ColumnDescriptions describeColumns(const Mechanism& mechanism) {
+    class Nowhere final : public ResultSink {
+    public:
+        void begin(const ResultColumns&) override {}
+        void add(const ResultRow&) override {}
+    };
+    Nowhere nowhere;
+    return Recorder(mechanism, nowhere).getDescriptions();
 }
 
 }  // namespace jprim

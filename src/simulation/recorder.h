@@ -9,7 +9,9 @@
 
 #include "jprim/mechanism/mechanism.h"
 #include "jprim/results/result_sink.h"
+#include "jprim/simulation/describe_columns.h"
 #include "jprim/simulation/simulate.h"
+#include "simulation/euler_signs.h"
 
 namespace jprim {
 
@@ -22,16 +24,24 @@ public:
     Recorder& operator=(const Recorder&) = delete;
 
     /// Adds a row. Requires Stage::Acceleration.
-    void record(const SimTK::State& state);
+    void record(const SimTK::State& state, const Violation& violation);
 
     /// The first of each request.
     const std::vector<NotFinite>& getNotFinite() const { return m_notFinite; }
+    const ColumnDescriptions& getDescriptions() const { return m_descriptions; }
 
 private:
     struct Table {
         std::vector<std::string>& columns;
         std::vector<double>& row;
+        std::vector<ColumnDescription>& descriptions;
     };
+
+    struct Unit {
+        const char* dimension;
+        double inSI;
+    };
+    static constexpr Unit Plain{"", 1};
 
     /// Columns of a table that are computed together.
     struct Group {
@@ -44,10 +54,17 @@ private:
 
     struct Column {
         std::string name;
-        double unitInSI;
+        Unit unit;
     };
 
-    void addGroup(const Table& table, const std::string& prefix, const std::vector<Column>& columns,
+    struct Units {
+        explicit Units(const UnitSystem& u);
+        Unit time, length, velocity, acceleration, angle, angularVelocity, angularAcceleration, force, moment;
+    };
+
+    // Columns whose names begin with the prefix, of an element "JOINT/3" or of none.
+    void addGroup(const Table& table, const std::string& element, const std::string& prefix,
+                  const std::vector<Column>& columns,
                   std::function<void(const SimTK::State&, double*)> calcInSI);
     void watch(Group& group);
     void addRequests();
@@ -57,16 +74,22 @@ private:
     void addPart(const MechanismPart& part);
     void addModes(const MechanismPart& part);
     void addEnergy();
+    void addErrors();
 
     const Mechanism& m_mechanism;
     ResultSink& m_sink;
+    const Units m_units;
     ResultColumns m_columns;
     ResultRow m_row;
-    const Table m_requests{m_columns.requests, m_row.requests},
-        m_reactions{m_columns.reactions, m_row.reactions}, m_parts{m_columns.parts, m_row.parts};
+    ColumnDescriptions m_descriptions;
+    const Table m_requests{m_columns.requests, m_row.requests, m_descriptions.requests},
+        m_reactions{m_columns.reactions, m_row.reactions, m_descriptions.reactions},
+        m_parts{m_columns.parts, m_row.parts, m_descriptions.parts};
     std::vector<Group> m_groups;
     std::unordered_set<std::string> m_requestColumns;  // names taken so far, and all plain ones
     std::vector<NotFinite> m_notFinite;
+    EulerSigns m_signs;
+    Violation m_violation;  // in the row that is made
 };
 
 }  // namespace jprim

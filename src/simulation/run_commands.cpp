@@ -9,6 +9,7 @@
 
 #include "base/format.h"
 #include "jprim/base/error.h"
+#include "simulation/euler_signs.h"
 
 namespace jprim {
 
@@ -25,14 +26,19 @@ public:
     void continueWith(bool withFirstRow) { m_skips = !withFirstRow; }
 
     void begin(const ResultColumns& columns) override {
-        if (!std::exchange(m_hasBegun, true)) m_target.begin(columns);
+        if (std::exchange(m_hasBegun, true)) return;
+        m_signs = EulerSigns(columns.parts);
+        m_target.begin(columns);
     }
     void add(const ResultRow& row) override {
-        if (!std::exchange(m_skips, false)) m_target.add(row);
+        ResultRow continued = row;
+        m_signs.makeContinuous(continued.parts);
+        if (!std::exchange(m_skips, false)) m_target.add(continued);
     }
 
 private:
     ResultSink& m_target;
+    EulerSigns m_signs;
     bool m_hasBegun = false, m_skips = false;
 };
 

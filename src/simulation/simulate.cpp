@@ -194,7 +194,7 @@ private:
         checkPositions(state, violation);
         checkAccelerations(m_mechanism, m_equations, state, m_outcome.summary.isKinematic);
         m_reactions.check(state);
-        m_recorder.record(state);
+        m_recorder.record(state, violation);
         keepWorst(m_outcome.summary.worstViolation, violation);
     }
 

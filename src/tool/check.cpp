@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <utility>
+
+#include "base/format.h"
 #include "simulation/equation_access.h"
 #include "tool/check_report.h"
 
@@ -73,18 +77,26 @@ TreeReport makeTree(const Dataset& dataset) {
 
 }  // namespace
 
-ExitCode check(const CheckArguments& arguments) {
+CheckReport makeCheckReport(Model model, Formulation formulation) {
     CheckReport report;
-    report.model = loadModel(arguments.model, Formulation::Constraints);
-    if (report.model.mechanism) diagnose(report);
-    if (report.model.mechanism && arguments.formulation == Formulation::Tree)
-        report.tree = makeTree(report.model.dataset);
+    report.model = std::move(model);
+    if (!report.model.mechanism) return report;
+    diagnose(report);
+    if (formulation == Formulation::Tree) report.tree = makeTree(report.model.dataset);
+    return report;
+}
+
+ExitCode check(const CheckArguments& arguments) {
+    const CheckReport report =
+        makeCheckReport(loadModel(arguments.model, Formulation::Constraints), arguments.formulation);
     if (report.failure) printError(arguments.model, report.failure->message);
-    if (report.assembled) warnOfYielded(arguments.model, *report.model.mechanism, report.assembled->yielded);
+    if (report.assembled)
+        for (const Diagnostic& yielded : listYielded(*report.model.mechanism, report.assembled->yielded))
+            fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, yielded));
     if (arguments.json)
         printJson(report);
     else if (report.model.mechanism)
-        printText(report);
+        for (const std::string& line : formatText(report)) fmt::print("{}\n", line);
     return report.isUsable() ? Done : DatasetHasErrors;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What printText() says, for machines. Angles are in radians, lengths in the dataset's unit.
+// What formatText() says, for machines. Angles are in radians, lengths in the dataset's unit.
 #include <nlohmann/json.hpp>
 
 #include "base/format.h"

@@ -52,7 +52,12 @@ struct CheckReport {
     bool isUsable() const { return assembled.has_value(); }
 };
 
-void printText(const CheckReport& report);
+/// @param model  in Formulation::Constraints
+/// @param formulation  Tree: says too how a tree would be made
+CheckReport makeCheckReport(Model model, Formulation formulation);
+
+/// Its lines; only of a model with a mechanism.
+std::vector<std::string> formatText(const CheckReport& report);
 void printJson(const CheckReport& report);
 
 }  // namespace jprim::tool

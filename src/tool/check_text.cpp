@@ -11,28 +11,30 @@ using SimTK::Real;
 namespace {
 
 /// Lines of a label and what follows it.
-class Printer {
+class TextWriter {
 public:
-    explicit Printer(const CheckReport& report)
+    explicit TextWriter(const CheckReport& report)
         : m_report(report),
           m_units(report.model.mechanism->getUnits()),
           m_length(getLengthName(report.model.dataset)) {}
 
-    void printCounts() const;
-    void printTree() const;
-    void printGruebler() const;
-    void printFreedoms() const;
-    void printRedundant() const;
-    void printViolation(const char* when, const Violation& violation) const;
-    void printMoved() const;
-    void printConflicts() const;
-    void printMissed() const;
-    void printFlipped() const;
+    void addCounts();
+    void addTree();
+    void addGruebler();
+    void addFreedoms();
+    void addRedundant();
+    void addViolation(const char* when, const Violation& violation);
+    void addMoved();
+    void addConflicts();
+    void addMissed();
+    void addFlipped();
+
+    const std::vector<std::string>& getLines() const { return m_lines; }
 
 private:
     template <class Value>
-    static void printLine(const std::string& label, const Value& value) {
-        fmt::print("{:<24}{}\n", label, value);
+    void addLine(const std::string& label, const Value& value) {
+        m_lines.push_back(fmt::format("{:<24}{}", label, value));
     }
     std::string formatAmount(Real amount, Dimension dimension) const {
         return fmt::format("{:.3g} {}", amount / m_units.getDisplacement(dimension),
@@ -42,6 +44,7 @@ private:
     const CheckReport& m_report;
     const UnitSystem& m_units;
     std::string m_length;
+    std::vector<std::string> m_lines;
 };
 
 // One line for each element: "JOINT/1 REVOLUTE: translation of I along Xj, rotation between Zi and Xj".
@@ -60,12 +63,12 @@ std::vector<std::string> formatByElement(const std::vector<ConstraintEquation>& 
     return lines;
 }
 
-void Printer::printCounts() const {
+void TextWriter::addCounts() {
     const Dataset& d = m_report.model.dataset;
-    printLine("statements", fmt::format("{} built, {} ignored by rule", d.counts.built, d.counts.ignored));
-    printLine("parts", fmt::format("{} (ground included)", d.parts.size()));
-    if (!d.flexBodies.empty()) printLine("flexible bodies", d.flexBodies.size());
-    printLine("markers", d.markers.size());
+    addLine("statements", fmt::format("{} built, {} ignored by rule", d.counts.built, d.counts.ignored));
+    addLine("parts", fmt::format("{} (ground included)", d.parts.size()));
+    if (!d.flexBodies.empty()) addLine("flexible bodies", d.flexBodies.size());
+    addLine("markers", d.markers.size());
     for (const auto& [kind, types] : m_report.elements) {
         int sum = 0;
         std::vector<std::string> parts;
@@ -73,114 +76,116 @@ void Printer::printCounts() const {
             sum += count;
             if (!type.empty()) parts.push_back(fmt::format("{} {}", count, type));
         }
-        printLine(kind, parts.empty() ? std::to_string(sum) : fmt::format("{} ({})", sum, join(parts, ", ")));
+        addLine(kind, parts.empty() ? std::to_string(sum) : fmt::format("{} ({})", sum, join(parts, ", ")));
     }
-    printLine("requests", d.requests.size());
+    addLine("requests", d.requests.size());
 }
 
 // "PART/3 on PART/2 by Pin: JOINT/2"
-void Printer::printTree() const {
+void TextWriter::addTree() {
     if (!m_report.tree) return;
     std::string label = "tree";
     for (const TreeReport::Branch& branch : m_report.tree->branches) {
         const std::string elements =
             branch.elements.empty() ? "" : fmt::format(": {}", join(branch.elements, ", "));
-        printLine(std::exchange(label, ""),
-                  fmt::format("{} on {} by {}{}", branch.part, branch.parent, branch.mobilizer, elements));
+        addLine(std::exchange(label, ""),
+                fmt::format("{} on {} by {}{}", branch.part, branch.parent, branch.mobilizer, elements));
     }
     label = "loops and other joints";
-    for (const std::string& element : m_report.tree->equations) printLine(std::exchange(label, ""), element);
+    for (const std::string& element : m_report.tree->equations) addLine(std::exchange(label, ""), element);
 }
 
-void Printer::printGruebler() const {
-    printLine("equations", m_report.constraints.numEquations);
-    printLine("Gruebler count", m_report.constraints.getGrueblerCount());
+void TextWriter::addGruebler() {
+    addLine("equations", m_report.constraints.numEquations);
+    addLine("Gruebler count", m_report.constraints.getGrueblerCount());
 }
 
-void Printer::printFreedoms() const {
+void TextWriter::addFreedoms() {
     const ConstraintReport& c = m_report.constraints;
-    printLine("degrees of freedom", c.getDegreesOfFreedom());
-    printLine("redundant equations", c.getNumRedundant());
-    printLine("rank decided between", fmt::format("{:.2g} and {:.2g}", c.smallestKept, c.largestDropped));
+    addLine("degrees of freedom", c.getDegreesOfFreedom());
+    addLine("redundant equations", c.getNumRedundant());
+    addLine("rank decided between", fmt::format("{:.2g} and {:.2g}", c.smallestKept, c.largestDropped));
     if (c.isSingularPosition())
-        printLine("singular position", fmt::format("degrees of freedom nearby: {}", c.freedomsNearby));
+        addLine("singular position", fmt::format("degrees of freedom nearby: {}", c.freedomsNearby));
 }
 
-void Printer::printRedundant() const {
+void TextWriter::addRedundant() {
     const ConstraintReport& c = m_report.constraints;
     for (const RedundantEquation& r : c.redundant) {
         const ConstraintEquation& equation = c.equations[size_t(r.equation)];
         const std::string level = equation.level == KinematicLevel::Position
                                       ? ""
                                       : fmt::format(" ({})", getEquationKind(equation.level));
-        printLine(r.onlyHere ? "redundant only here" : "redundant", equation.getText() + level);
+        addLine(r.onlyHere ? "redundant only here" : "redundant", equation.getText() + level);
         std::string label = "    follows from";
         for (const std::string& line : formatByElement(c.equations, r.dependsOn))
-            printLine(std::exchange(label, ""), line);
-        if (r.dependsOn.empty()) printLine(label, "nothing: no motion changes it");
+            addLine(std::exchange(label, ""), line);
+        if (r.dependsOn.empty()) addLine(label, "nothing: no motion changes it");
     }
 }
 
-void Printer::printViolation(const char* when, const Violation& v) const {
-    fmt::print("constraint error {:<8}{:.3g} {}, {:.3g} rad{}\n", when, v.length / m_units.length, m_length,
-               v.angle, v.element.empty() ? "" : fmt::format(" (at {})", v.element));
+void TextWriter::addViolation(const char* when, const Violation& v) {
+    m_lines.push_back(fmt::format("constraint error {:<8}{:.3g} {}, {:.3g} rad{}", when,
+                                  v.length / m_units.length, m_length, v.angle,
+                                  v.element.empty() ? "" : fmt::format(" (at {})", v.element)));
 }
 
-void Printer::printMoved() const {
+void TextWriter::addMoved() {
     for (const MovedPart& part : m_report.assembled->moved)
-        printLine("moved by assembly", fmt::format("{} by {:.3g} {} and {:.3g} rad", part.part,
-                                                   part.distance / m_units.length, m_length, part.angle));
+        addLine("moved by assembly", fmt::format("{} by {:.3g} {} and {:.3g} rad", part.part,
+                                                 part.distance / m_units.length, m_length, part.angle));
 }
 
-void Printer::printConflicts() const {
+void TextWriter::addConflicts() {
     const ConflictReport& report = m_report.failure->conflicts;
-    if (report.isAssembled()) return printMissed();
+    if (report.isAssembled()) return addMissed();
     for (const Conflict& conflict : report.conflicts) {
-        printLine("conflict",
-                  fmt::format("{} equations cannot be met together; left are", conflict.equations.size()));
+        addLine("conflict",
+                fmt::format("{} equations cannot be met together; left are", conflict.equations.size()));
         for (size_t k = 0; k < conflict.equations.size(); ++k) {
             const ConstraintEquation& equation = report.equations[size_t(conflict.equations[k])];
-            printLine("", equation.getText() + ": " + formatAmount(conflict.errors[k], equation.dimension));
+            addLine("", equation.getText() + ": " + formatAmount(conflict.errors[k], equation.dimension));
         }
     }
 }
 
-void Printer::printMissed() const {
+void TextWriter::addMissed() {
     const std::vector<MissedCoordinate>& missed = m_report.failure->missed;
     if (missed.empty()) {
-        printLine("no conflict", "of positions: the equations can be met near the given ones");
+        addLine("no conflict", "of positions: the equations can be met near the given ones");
         return;
     }
-    printLine("conflict", "given coordinates contradict the constraints or each other; missed are");
+    addLine("conflict", "given coordinates contradict the constraints or each other; missed are");
     for (const MissedCoordinate& m : missed)
-        printLine("", fmt::format("{} {}: {}", m.element, m.coordinate, formatAmount(m.amount, m.dimension)));
+        addLine("", fmt::format("{} {}: {}", m.element, m.coordinate, formatAmount(m.amount, m.dimension)));
 }
 
-void Printer::printFlipped() const {
+void TextWriter::addFlipped() {
     for (const FlippedAxes& axes : m_report.failure->flipped)
-        printLine("flipped", fmt::format("{}: the {} of I and J are {:.4g} degrees apart", axes.element,
-                                         axes.axes, axes.angle * SimTK_RADIAN_TO_DEGREE));
+        addLine("flipped", fmt::format("{}: the {} of I and J are {:.4g} degrees apart", axes.element,
+                                       axes.axes, axes.angle * SimTK_RADIAN_TO_DEGREE));
 }
 
 }  // namespace
 
-void printText(const CheckReport& report) {
-    const Printer printer(report);
-    printer.printCounts();
-    printer.printTree();
-    printer.printGruebler();
+std::vector<std::string> formatText(const CheckReport& report) {
+    TextWriter text(report);
+    text.addCounts();
+    text.addTree();
+    text.addGruebler();
     if (report.assembled) {
-        printer.printFreedoms();
-        printer.printRedundant();
-        printer.printViolation("given", report.given);
-        printer.printViolation("after", report.assembled->after);
-        printer.printMoved();
+        text.addFreedoms();
+        text.addRedundant();
+        text.addViolation("given", report.given);
+        text.addViolation("after", report.assembled->after);
+        text.addMoved();
     } else {
-        printer.printViolation("given", report.given);
-        printer.printViolation("least", report.failure->left);
-        printer.printConflicts();
-        printer.printFlipped();
+        text.addViolation("given", report.given);
+        text.addViolation("least", report.failure->left);
+        text.addConflicts();
+        text.addFlipped();
     }
+    return text.getLines();
 }
 
 }  // namespace jprim::tool

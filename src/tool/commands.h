@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "jprim/base/diagnostic.h"
@@ -30,7 +31,15 @@ struct RunArguments {
     std::string integrator = "RungeKuttaMerson";
     Formulation formulation = Formulation::Tree;
     std::string out;
+    std::string report;
+    std::vector<std::pair<std::string, std::string>> options;  ///< as they were given
     bool quiet = false;
+};
+
+struct ReportArguments {
+    std::string results;  ///< folder that `run --out` wrote
+    std::string model;    ///< dataset, where it is not where it was
+    std::string out;
 };
 
 struct CheckArguments {
@@ -50,6 +59,7 @@ struct ReduceArguments {
 };
 
 ExitCode run(const RunArguments& arguments);
+ExitCode report(const ReportArguments& arguments);
 ExitCode check(const CheckArguments& arguments);
 ExitCode reduce(const ReduceArguments& arguments);
 
@@ -66,6 +76,9 @@ Model loadModel(const std::string& path, Formulation formulation);
 /// A command file and the model it names, as far as they could be loaded.
 struct LoadedCommands {
     CommandFile file;
+    Diagnostics diagnostics;  ///< of the command file
+    std::string modelFile;
+    Formulation formulation = Formulation::Tree;  ///< that it was built in
     Model model;
     bool isUsable = false;  ///< there are no errors in either, and the commands fit the model
 };
@@ -80,9 +93,8 @@ LoadedCommands loadCommands(const std::string& path, Formulation formulation);
 /// What a length is called in the dataset: "MILLIMETER", or "length units" where it names none.
 std::string getLengthName(const Dataset& dataset);
 
-/// Warns on standard error of EXACT coordinates that yielded.
-void warnOfYielded(const std::string& file, const Mechanism& mechanism,
-                   const std::vector<MissedCoordinate>& yielded);
+/// Warnings of EXACT coordinates that yielded.
+Diagnostics listYielded(const Mechanism& mechanism, const std::vector<MissedCoordinate>& yielded);
 
 /// Prints one `file: error: message` line to standard error.
 void printError(const std::string& file, const std::string& message);

@@ -26,15 +26,17 @@ void printError(const std::string& file, const std::string& message) {
     fmt::print(stderr, "{}\n", formatDiagnostic(file, {Severity::Error, {}, message}));
 }
 
-void warnOfYielded(const std::string& file, const Mechanism& mechanism,
-                   const std::vector<MissedCoordinate>& yielded) {
-    for (const MissedCoordinate& missed : yielded) {
-        const std::string message = fmt::format(
-            "{}: {} contradicts a MOTION, an initial value or a joint and yields to it: it starts {} away from its "
-            "given value",
-            missed.element, missed.coordinate, formatAmount(missed, mechanism.getUnits()));
-        fmt::print(stderr, "{}\n", formatDiagnostic(file, {Severity::Warning, {}, message}));
-    }
+Diagnostics listYielded(const Mechanism& mechanism, const std::vector<MissedCoordinate>& yielded) {
+    Diagnostics warnings;
+    for (const MissedCoordinate& missed : yielded)
+        warnings.push_back(
+            {Severity::Warning,
+             {},
+             fmt::format(
+                 "{}: {} contradicts a MOTION, an initial value or a joint and yields to it: it starts {} away "
+                 "from its given value",
+                 missed.element, missed.coordinate, formatAmount(missed, mechanism.getUnits()))});
+    return warnings;
 }
 
 std::string getLengthName(const Dataset& dataset) {
@@ -68,10 +70,9 @@ bool isCommandFile(const std::string& path) {
 
 LoadedCommands loadCommands(const std::string& path, Formulation formulation) {
     LoadedCommands loaded;
-    Diagnostics diagnostics;
-    loaded.file = readCommandFile(path, diagnostics);
-    print(path, diagnostics);
-    if (hasErrors(diagnostics)) return loaded;
+    loaded.file = readCommandFile(path, loaded.diagnostics);
+    print(path, loaded.diagnostics);
+    if (hasErrors(loaded.diagnostics)) return loaded;
     std::filesystem::path model = std::filesystem::path(loaded.file.folder) / loaded.file.model;
     if (!model.has_extension()) model += ".adm";
     const auto switchesConstraints = [](const Command& command) {
@@ -80,11 +81,14 @@ LoadedCommands loadCommands(const std::string& path, Formulation formulation) {
     };
     if (std::any_of(loaded.file.commands.begin(), loaded.file.commands.end(), switchesConstraints))
         formulation = Formulation::Constraints;
-    loaded.model = loadModel(model.string(), formulation);
+    loaded.formulation = formulation;
+    loaded.modelFile = model.string();
+    loaded.model = loadModel(loaded.modelFile, formulation);
     if (loaded.model.mechanism) {
         Diagnostics found;
         checkCommands(*loaded.model.mechanism, loaded.file.commands, found);
         print(path, found);
+        loaded.diagnostics.insert(loaded.diagnostics.end(), found.begin(), found.end());
         loaded.isUsable = !hasErrors(found);
     }
     return loaded;

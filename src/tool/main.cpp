@@ -14,6 +14,7 @@ namespace {
 
 using jprim::tool::CheckArguments;
 using jprim::tool::ReduceArguments;
+using jprim::tool::ReportArguments;
 using jprim::tool::RunArguments;
 
 // CLI11's own checks let NaN through.
@@ -103,7 +104,27 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
         ->capture_default_str();
     addFormulation(command, arguments.formulation);
     command.add_option("--out", arguments.out, "Folder for requests.csv, reactions.csv and parts.csv");
+    command.add_option("--report", arguments.report,
+                       "HTML file to write: the motion and all curves, to be opened in a browser");
     command.add_flag("--quiet", arguments.quiet, "Print errors and warnings only");
+}
+
+// The options of a run as they were given, but for where its results go.
+std::vector<std::pair<std::string, std::string>> listOptions(const CLI::App& run) {
+    std::vector<std::pair<std::string, std::string>> options;
+    for (const CLI::Option* option : run.get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() == 0 || name.rfind("--", 0) != 0 || name == "--out" || name == "--report")
+            continue;
+        options.emplace_back(name, option->get_expected_max() == 0 ? "" : option->results().back());
+    }
+    return options;
+}
+
+void addReportOptions(CLI::App& command, ReportArguments& arguments) {
+    command.add_option("RESULTS", arguments.results, "Folder that run --out has written")->required();
+    command.add_option("--model", arguments.model, "The dataset, if it is not where it was");
+    command.add_option("-o,--out", arguments.out, "HTML file to write")->required();
 }
 
 void addCheckOptions(CLI::App& command, CheckArguments& arguments) {
@@ -154,19 +175,25 @@ int main(int argc, char** argv) {
     addCheckOptions(*check, checkArguments);
     CLI::App* reduce = app.add_subcommand("reduce", "Reduce a finite-element mesh to modes");
     addReduceOptions(*reduce, reduceArguments);
+    ReportArguments reportArguments;
+    CLI::App* report = app.add_subcommand("report", "Show the results of an earlier run in a browser");
+    addReportOptions(*report, reportArguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         // --help and --version arrive here too, as successes.
         return app.exit(error) == 0 ? jprim::tool::Done : jprim::tool::WrongUsage;
     }
-    const std::string& model = run->parsed()     ? runArguments.model
-                               : check->parsed() ? checkArguments.model
-                                                 : reduceArguments.mesh;
+    const std::string& model = run->parsed()      ? runArguments.model
+                               : check->parsed()  ? checkArguments.model
+                               : reduce->parsed() ? reduceArguments.mesh
+                                                  : reportArguments.results;
+    runArguments.options = listOptions(*run);
     try {
-        const int code = run->parsed()     ? jprim::tool::run(runArguments)
-                         : check->parsed() ? jprim::tool::check(checkArguments)
-                                           : jprim::tool::reduce(reduceArguments);
+        const int code = run->parsed()      ? jprim::tool::run(runArguments)
+                         : check->parsed()  ? jprim::tool::check(checkArguments)
+                         : reduce->parsed() ? jprim::tool::reduce(reduceArguments)
+                                            : jprim::tool::report(reportArguments);
         if (std::fflush(stdout) == 0) return code;
         jprim::tool::printError(model, "standard output cannot be written");
     } catch (const std::exception& error) {

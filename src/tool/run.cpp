@@ -1,67 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdio>
-#include <memory>
+#include <string>
+#include <vector>
 
 #include "base/format.h"
-#include "jprim/base/error.h"
-#include "jprim/results/csv_files.h"
 #include "jprim/simulation/equilibrium.h"
 #include "jprim/simulation/run_commands.h"
 #include "tool/commands.h"
 #include "tool/progress_bar.h"
+#include "tool/report.h"
+#include "tool/run_log.h"
+#include "tool/run_output.h"
 
 namespace jprim::tool {
 
 namespace {
 
-void printSummary(const Model& model, const SimulationSummary& s) {
+std::vector<std::string> formatSummary(const Model& model, const SimulationSummary& s) {
     const UnitSystem& units = model.mechanism->getUnits();
     const double energy = units.getEnergy();
-    fmt::print("degrees of freedom       {}\n", s.degreesOfFreedom);
-    if (s.redundantEquations > 0) fmt::print("redundant equations      {}\n", s.redundantEquations);
-    for (const std::string& equation : s.droppedEquations)
-        fmt::print("dropped                  {}\n", equation);
+    std::vector<std::string> lines;
+    const auto add = [&lines](const std::string& label, const std::string& value) {
+        lines.push_back(fmt::format("{:<25}{}", label, value));
+    };
+    add("degrees of freedom", std::to_string(s.degreesOfFreedom));
+    if (s.redundantEquations > 0) add("redundant equations", std::to_string(s.redundantEquations));
+    for (const std::string& equation : s.droppedEquations) add("dropped", equation);
     for (const DroppedAnew& anew : s.droppedAnew)
-        fmt::print("dropped from {:<11.6g} {}\n", anew.time, join(anew.equations, "; "));
-    fmt::print("worst constraint error   {:.3g} {}, {:.3g} rad{}\n", s.worstViolation.length / units.length,
-               getLengthName(model.dataset), s.worstViolation.angle,
-               s.worstViolation.element.empty() ? "" : fmt::format(" (at {})", s.worstViolation.element));
+        add(fmt::format("dropped from {:<11.6g}", anew.time), join(anew.equations, "; "));
+    add("worst constraint error",
+        fmt::format(
+            "{:.3g} {}, {:.3g} rad{}", s.worstViolation.length / units.length, getLengthName(model.dataset),
+            s.worstViolation.angle,
+            s.worstViolation.element.empty() ? "" : fmt::format(" (at {})", s.worstViolation.element)));
     const auto ofRange = [&s](double change) {
         return s.energyScale > 0
                    ? fmt::format(" ({:.2g} of the kinetic energy's range)", change / s.energyScale)
                    : "";
     };
-    fmt::print("energy                   {:.9g} at the start, changed by at most {:.3g}{}\n",
-               s.energyAtStart / energy, s.largestEnergyChange / energy, ofRange(s.largestEnergyChange));
+    add("energy", fmt::format("{:.9g} at the start, changed by at most {:.3g}{}", s.energyAtStart / energy,
+                              s.largestEnergyChange / energy, ofRange(s.largestEnergyChange)));
     if (!model.mechanism->isConservative() && s.largestImbalance > 0)
-        fmt::print("energy balance           off by at most {:.3g}{}\n", s.largestImbalance / energy,
-                   ofRange(s.largestImbalance));
-    fmt::print("{:<25}{}\n", s.isKinematic ? "kinematic steps" : "integration steps", s.stepsTaken);
-    if (!s.endedBy.empty()) fmt::print("ended by                 {}\n", s.endedBy);
-    fmt::print("wall time                {:.3f} s\n", s.wallSeconds);
+        add("energy balance",
+            fmt::format("off by at most {:.3g}{}", s.largestImbalance / energy, ofRange(s.largestImbalance)));
+    add(s.isKinematic ? "kinematic steps" : "integration steps", std::to_string(s.stepsTaken));
+    if (!s.endedBy.empty()) add("ended by", s.endedBy);
+    add("wall time", fmt::format("{:.3f} s", s.wallSeconds));
+    return lines;
 }
 
 // Energy that nothing explains is an error of the integration.
-void warnOfEnergyError(const RunArguments& arguments, const Mechanism& mechanism,
-                       const SimulationSummary& summary) {
+void warnOfEnergyError(const std::string& file, const Mechanism& mechanism, const SimulationSummary& summary,
+                       RunLog& log) {
     if (summary.largestImbalance <= summary.tolerableImbalance) return;
-    const std::string message = fmt::format(
-        "{} by {:.2g} of the range of its kinetic energy; do not trust the results, and try a smaller --accuracy",
-        mechanism.isConservative()
-            ? "the energy of this conservative mechanism changed"
-            : "the energy of this mechanism is not what the work of its loads makes it: it is off",
-        summary.largestImbalance / summary.energyScale);
-    fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
+    log.addMessage(
+        file,
+        {Severity::Warning,
+         {},
+         fmt::format(
+             "{} by {:.2g} of the range of its kinetic energy; do not trust the results, and try a smaller "
+             "--accuracy",
+             mechanism.isConservative() ? "the energy of this conservative mechanism changed"
+                                        : "the energy of this mechanism is not what the work of its loads "
+                                          "makes it: it is off",
+             summary.largestImbalance / summary.energyScale)});
 }
 
-void warnOfNotFinite(const RunArguments& arguments, const SimulationSummary& summary) {
-    for (const NotFinite& first : summary.notFinite) {
-        const std::string message =
-            fmt::format("{}: {} is {} at time {}, and perhaps later", first.request, first.column,
-                        std::isnan(first.value) ? "not a number" : "infinite", first.time);
-        fmt::print(stderr, "{}\n", formatDiagnostic(arguments.model, {Severity::Warning, {}, message}));
-    }
+void warnOfNotFinite(const std::string& file, const SimulationSummary& summary, RunLog& log) {
+    for (const NotFinite& first : summary.notFinite)
+        log.addMessage(file,
+                       {Severity::Warning,
+                        {},
+                        fmt::format("{}: {} is {} at time {}, and perhaps later", first.request, first.column,
+                                    std::isnan(first.value) ? "not a number" : "infinite", first.time)});
+}
+
+void addOutcome(const Model& model, const SimulationSummary& summary, RunLog& log) {
+    for (const std::string& line : formatSummary(model, summary)) log.addLine(line);
+    if (!log.freedoms) log.freedoms = summary.degreesOfFreedom;
+}
+
+void warn(const std::string& file, const Model& model, const SimulationSummary& summary, RunLog& log) {
+    warnOfEnergyError(file, *model.mechanism, summary, log);
+    warnOfNotFinite(file, summary, log);
 }
 
 SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
@@ -82,22 +104,11 @@ SimulationOptions makeOptions(const RunArguments& arguments, ProgressBar& bar) {
     return options;
 }
 
-/// For a run without --out.
-class NoResults final : public ResultSink {
-public:
-    void begin(const ResultColumns&) override {}
-    void add(const ResultRow&) override {}
-};
-
-// Before the simulation, not after it, is the time to learn that nothing can be written.
-std::unique_ptr<ResultSink> makeSink(const std::string& folder) {
-    if (folder.empty()) return std::make_unique<NoResults>();
-    return std::make_unique<CsvFiles>(folder);
-}
-
-SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism, ResultSink& sink) {
+SimulationOutcome simulateModel(const RunArguments& arguments, const Mechanism& mechanism, ResultSink& sink,
+                                RunLog& log) {
     AssembledState initial = assemble(mechanism);
-    warnOfYielded(arguments.model, mechanism, initial.yielded);
+    for (const Diagnostic& yielded : listYielded(mechanism, initial.yielded))
+        log.addMessage(arguments.model, yielded);
     if (arguments.start == "equilibrium") initial.state = findEquilibrium(mechanism, initial.state);
     ProgressBar bar(!arguments.quiet);
     return simulate(mechanism, initial, makeOptions(arguments, bar), sink);
@@ -108,37 +119,45 @@ std::string findMisuse(const RunArguments& arguments) {
     if (isCommandFile(arguments.model)) {
         const bool given = arguments.end > 0 || arguments.steps > 0 || arguments.dtout > 0 ||
                            arguments.statics || arguments.start != "given";
-        return given
-                   ? "a command file says itself what to simulate; --end, --steps, --dtout, --statics and --start "
-                     "are for datasets"
-                   : "";
+        if (given)
+            return "a command file says itself what to simulate; --end, --steps, --dtout, --statics and --start are for "
+                   "datasets";
+    } else if (arguments.end == 0 && !arguments.statics) {
+        return "--end is required";
     }
-    return arguments.end == 0 && !arguments.statics ? "--end is required" : "";
-}
-
-void printResultsLine(const RunArguments& arguments) {
-    if (!arguments.quiet && !arguments.out.empty())
-        fmt::print("results                  requests.csv, reactions.csv and parts.csv in {}\n",
-                   arguments.out);
+    return "";
 }
 
 ExitCode runDataset(const RunArguments& arguments) {
     const Model model = loadModel(arguments.model, arguments.formulation);
     if (!model.mechanism) return DatasetHasErrors;
-    SimulationOutcome outcome;
+    RunLog log(arguments.quiet);
+    log.keep(arguments.model, model.diagnostics);
     try {
-        const std::unique_ptr<ResultSink> sink = makeSink(arguments.out);
-        outcome = simulateModel(arguments, *model.mechanism, *sink);
-        if (!outcome.failure.empty()) printError(arguments.model, outcome.failure);
+        RunOutput output(arguments, arguments.model, log);
+        const SimulationOutcome outcome = simulateModel(arguments, *model.mechanism, output, log);
+        if (!outcome.failure.empty()) log.addMessage(arguments.model, {Severity::Error, {}, outcome.failure});
+        addOutcome(model, outcome.summary, log);
+        warn(arguments.model, model, outcome.summary, log);
+        output.finish(model, arguments.formulation);
+        return outcome.failure.empty() ? Done : SimulationFailed;
     } catch (const std::exception& error) {
         printError(arguments.model, error.what());
         return SimulationFailed;
     }
-    if (!arguments.quiet) printSummary(model, outcome.summary);
-    printResultsLine(arguments);
-    warnOfEnergyError(arguments, *model.mechanism, outcome.summary);
-    warnOfNotFinite(arguments, outcome.summary);
-    return outcome.failure.empty() ? Done : SimulationFailed;
+}
+
+void addOutcomes(const RunArguments& arguments, const Model& model, const CommandsOutcome& outcome,
+                 RunLog& log) {
+    for (const Diagnostic& yielded : listYielded(*model.mechanism, outcome.yielded))
+        log.addMessage(arguments.model, yielded);
+    if (!outcome.failure.empty())
+        log.addMessage(arguments.model, {Severity::Error, outcome.where, outcome.failure});
+    for (const CommandSummary& summary : outcome.summaries) {
+        log.addLine(fmt::format("{} from {} to {}", summary.command, summary.start, summary.end));
+        addOutcome(model, summary.simulation, log);
+        warn(arguments.model, model, summary.simulation, log);
+    }
 }
 
 ExitCode runCommandFile(const RunArguments& arguments) {
@@ -146,29 +165,22 @@ ExitCode runCommandFile(const RunArguments& arguments) {
     if (!loaded.isUsable) return DatasetHasErrors;
     RunArguments used = arguments;
     if (used.out.empty()) used.out = loaded.file.output;
-    CommandsOutcome outcome;
+    RunLog log(used.quiet);
+    log.keep(used.model, loaded.diagnostics);
+    log.keep(loaded.modelFile, loaded.model.diagnostics);
     try {
-        const std::unique_ptr<ResultSink> sink = makeSink(used.out);
+        RunOutput output(used, loaded.modelFile, log);
         ProgressBar bar(!used.quiet);
-        outcome = runCommands(*loaded.model.mechanism, loaded.file.commands, makeOptions(used, bar), *sink);
-        warnOfYielded(used.model, *loaded.model.mechanism, outcome.yielded);
-        if (!outcome.failure.empty())
-            fmt::print(stderr, "{}\n",
-                       formatDiagnostic(used.model, {Severity::Error, outcome.where, outcome.failure}));
+        const CommandsOutcome outcome =
+            runCommands(*loaded.model.mechanism, loaded.file.commands, makeOptions(used, bar), output);
+        bar.clear();
+        addOutcomes(used, loaded.model, outcome, log);
+        output.finish(loaded.model, loaded.formulation);
+        return outcome.failure.empty() ? Done : SimulationFailed;
     } catch (const std::exception& error) {
         printError(used.model, error.what());
         return SimulationFailed;
     }
-    for (const CommandSummary& summary : outcome.summaries) {
-        if (!used.quiet) {
-            fmt::print("{} from {} to {}\n", summary.command, summary.start, summary.end);
-            printSummary(loaded.model, summary.simulation);
-        }
-        warnOfEnergyError(used, *loaded.model.mechanism, summary.simulation);
-        warnOfNotFinite(used, summary.simulation);
-    }
-    printResultsLine(used);
-    return outcome.failure.empty() ? Done : SimulationFailed;
 }
 
 }  // namespace
@@ -179,6 +191,7 @@ ExitCode run(const RunArguments& arguments) {
         fmt::print(stderr, "{}\nRun with --help for more information.\n", misuse);
         return WrongUsage;
     }
+    if (!canReport(arguments.report)) return WrongUsage;
     return isCommandFile(arguments.model) ? runCommandFile(arguments) : runDataset(arguments);
 }
 

@@ -27,7 +27,7 @@ TEST(DatasetErrors, Statements) {
         {"id given twice", "MARKER/1", "3:1: error: MARKER/1 is already given in line 2; choose another id"},
         {"twice with a leading zero", "JPRIM/4,ATP,I=1,J=2\nJPRIM/04,ATP,I=1,J=2",
          "4:1: error: JPRIM/4 is already given in line 3; choose another id"},
-        {"graphics given twice", "GRAPHICS/1\nGRAPHICS/1",
+        {"graphics given twice", "GRAPHICS/1, OUTLINE=1,2\nGRAPHICS/1, OUTLINE=1,2",
          "4:1: error: GRAPHICS/1 is already given in line 3; choose another id"},
         {"all mistakes are listed", "MARKRE/3\nPART/3, QQQ\nMARKER/1",
          "3:1: error: unknown statement 'MARKRE'; did you mean MARKER?\n"

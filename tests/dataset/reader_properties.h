@@ -30,7 +30,7 @@ inline std::size_t countMembers(const Dataset& d) {
     return d.parts.size() + d.pointMasses.size() + d.flexBodies.size() + d.markers.size() + d.jprims.size() +
            d.joints.size() + d.gcons.size() + d.motions.size() + d.couplers.size() + d.sforces.size() +
            d.vectorForces.size() + d.springdampers.size() + d.bushings.size() + d.variables.size() +
-           d.splines.size() + d.sensors.size() + d.requests.size() + (d.units ? 1u : 0u) +
+           d.splines.size() + d.sensors.size() + d.requests.size() + d.graphics.size() + (d.units ? 1u : 0u) +
            (d.gravity ? 1u : 0u);
 }
 

@@ -170,12 +170,12 @@ TEST(DatasetReader, Requests) {
 }
 
 TEST(DatasetReader, IgnoredStatementsAreKeptAsText) {
-    const Dataset dataset =
-        readGood("GRAPHICS/012\n, BOX ! seen only\n, X = 1,   Y=2\nOUTPUT/REQSAVE\n, GRSAVE\nRES/\nGR/13");
+    const Dataset dataset = readGood(
+        "MATERIAL/012\n, NAME=steel ! seen only\n, X = 1,   Y=2\nOUTPUT/REQSAVE\n, GRSAVE\nRES/\nST/13");
     ASSERT_EQ(dataset.ignored.size(), 4u);
-    EXPECT_EQ(dataset.ignored[0].keyword, "GRAPHICS");
+    EXPECT_EQ(dataset.ignored[0].keyword, "MATERIAL");
     EXPECT_EQ(dataset.ignored[0].id, 12);
-    EXPECT_EQ(dataset.ignored[0].arguments, "BOX, X = 1, Y=2");
+    EXPECT_EQ(dataset.ignored[0].arguments, "NAME=steel, X = 1, Y=2");
     EXPECT_EQ(dataset.ignored[1].keyword, "OUTPUT");
     EXPECT_EQ(dataset.ignored[1].arguments, "REQSAVE, GRSAVE");
     EXPECT_EQ(dataset.ignored[2].keyword, "RESULTS");
@@ -185,7 +185,7 @@ TEST(DatasetReader, IgnoredStatementsAreKeptAsText) {
 }
 
 TEST(DatasetReader, IdsAreUniquePerKindOnly) {
-    readGood("JPRIM/1, ATPOINT, I=1, J=2\nJOINT/1, FIXED, I=1, J=2\nGRAPHICS/1");
+    readGood("JPRIM/1, ATPOINT, I=1, J=2\nJOINT/1, FIXED, I=1, J=2\nMATERIAL/1");
 }
 
 TEST(DatasetReader, ReferencesMayComeFirst) {
@@ -193,7 +193,7 @@ TEST(DatasetReader, ReferencesMayComeFirst) {
 }
 
 TEST(DatasetReader, OneStatementWithErrorsCountsOnce) {
-    const Dataset dataset = readInModel("MARKER/3, QQQ, QQQ\nGRAPHICS/1\nJPRIM/1, ATPOINT, I=8, J=9").dataset;
+    const Dataset dataset = readInModel("MARKER/3, QQQ, QQQ\nMATERIAL/1\nJPRIM/1, ATPOINT, I=8, J=9").dataset;
     EXPECT_EQ(dataset.counts.built, 4);
     EXPECT_EQ(dataset.counts.ignored, 1);
     EXPECT_EQ(dataset.counts.errors, 2);

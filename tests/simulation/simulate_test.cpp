@@ -90,7 +90,8 @@ TEST(Simulate, ColumnsAreNamedAsPromised) {
               "time PART/2.X PART/2.Y PART/2.Z PART/2.E0 PART/2.E1 PART/2.E2 PART/2.E3 PART/2.VX PART/2.VY "
               "PART/2.VZ "
               "PART/2.WX PART/2.WY");
-    EXPECT_EQ(parts.substr(parts.size() - 45), " energy.kinetic energy.potential energy.total");
+    EXPECT_EQ(parts.substr(parts.size() - 70),
+              " energy.kinetic energy.potential energy.total error.length error.angle");
 }
 
 TEST(Simulate, SummaryTellsWhatHappened) {

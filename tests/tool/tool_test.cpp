@@ -55,7 +55,7 @@ TEST_F(Tool, RunWritesThreeFilesAndASummary) {
     const std::string parts = readFile(m_folder / "results/parts.csv");
     EXPECT_EQ(
         parts.substr(0, parts.find('\n')),
-        "time,PART/2.X,PART/2.Y,PART/2.Z,PART/2.E0,PART/2.E1,PART/2.E2,PART/2.E3,PART/2.VX,PART/2.VY,PART/2.VZ,PART/2.WX,PART/2.WY,PART/2.WZ,energy.kinetic,energy.potential,energy.total");
+        "time,PART/2.X,PART/2.Y,PART/2.Z,PART/2.E0,PART/2.E1,PART/2.E2,PART/2.E3,PART/2.VX,PART/2.VY,PART/2.VZ,PART/2.WX,PART/2.WY,PART/2.WZ,energy.kinetic,energy.potential,energy.total,error.length,error.angle");
 }
 
 TEST_F(Tool, QuietPrintsNothing) {

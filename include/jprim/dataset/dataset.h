@@ -14,6 +14,7 @@
 #include "jprim/base/units.h"
 #include "jprim/dataset/constraint_statements.h"
 #include "jprim/dataset/force_statements.h"
+#include "jprim/dataset/graphics_statement.h"
 #include "jprim/dataset/source_text.h"
 
 /// @file
@@ -165,7 +166,7 @@ struct SensorStatement {
 };
 
 /// A statement that changes no motion, or only the numerical method: read, kept as text, otherwise ignored.
-/// GRAPHICS, MATERIAL, MREQUEST, PINPUT, POUTPUT, STRING; OUTPUT, RESULTS, DEBUG, PREFERENCES, INTEGRATOR,
+/// MATERIAL, MREQUEST, PINPUT, POUTPUT, STRING; OUTPUT, RESULTS, DEBUG, PREFERENCES, INTEGRATOR,
 /// KINEMATICS, EQUILIBRIUM, IC.
 struct IgnoredStatement {
     SourcePosition where;
@@ -204,6 +205,7 @@ struct Dataset {
     std::vector<SplineStatement> splines;
     std::vector<SensorStatement> sensors;
     std::vector<RequestStatement> requests;
+    std::vector<GraphicsStatement> graphics;
     std::vector<IgnoredStatement> ignored;
     StatementCounts counts;
     /// The ids of statements with errors, by keyword. Most are in none of the lists, but others may still name them.

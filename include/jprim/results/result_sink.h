@@ -16,7 +16,7 @@ namespace jprim {
 ///   marker
 /// - parts, after `PART/<id>.`: X Y Z of the mass centre, E0 E1 E2 E3 of the CM marker, VX VY VZ WX WY WZ in
 ///   Ground; likewise after `FLEX_BODY/<id>.`, and the modal coordinates Q1 Q2 …; after `energy.`: kinetic
-///   potential total
+///   potential total; after `error.`: the largest errors of constraints, length and angle
 template <class Value>
 struct TypedResultTables {
     Value requests;

@@ -83,6 +83,8 @@ public:
     bool isInDegrees(std::string_view name) const { return has(name) && findGiven(name)->degrees; }
     bool has(std::string_view name) const { return findGiven(name) != nullptr; }
     bool has(ArgumentKind kind) const;
+    /// The word that comes next; empty if none does.
+    std::string_view peekWord() const { return peekName(m_at).word; }
 
     /// Of two arguments that say the same thing only one may be given.
     void checkNotBoth(const char* name, const char* other);

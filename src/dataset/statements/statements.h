@@ -29,6 +29,7 @@ StatementKind describeSpline();
 StatementKind describeSensor();
 StatementKind describeAccgrav();
 StatementKind describeRequest();
+StatementKind describeGraphics();
 
 /// A kind that changes no motion, or only the numerical method. All of them stand in one list of the dataset.
 StatementKind describeIgnored(std::string_view name, std::size_t minimum, bool hasId);
