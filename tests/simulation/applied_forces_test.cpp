@@ -184,7 +184,8 @@ TEST(AppliedForces, AForceThatIsNoNumberIsAFailure) {
     SimulationOptions options;
     options.end = 1;
     EXPECT_EQ(simulate(mechanism, assemble(mechanism), options).failure,
-              "at time 0: the simulation cannot go on: accelerations are not finite");
+              "at time 0: the simulation cannot go on: GFORCE/1: its function is infinite or not a number here, as a "
+              "quotient by zero or a root of a negative number are");
 }
 
 // Akima's curve through points of a parabola is that parabola, also with unequal tables of x: a spring that
