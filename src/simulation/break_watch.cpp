@@ -28,13 +28,15 @@ BreakWatch BreakWatch::ofLoads(const Mechanism& mechanism) {
         watch.add(constraint->getCoordinate());
         if (constraint->getFunction()) watch.add(*constraint->getFunction());
     }
+    for (const MechanismState& state : mechanism.getStates())
+        watch.add(findImplementation<ExpressionMeasureImpl>(state.rate)->getExpression().get());
     return watch;
 }
 
 BreakWatch BreakWatch::ofSensors(const Mechanism& mechanism) {
     BreakWatch watch;
     for (const MechanismSensor& sensor : mechanism.getSensors())
-        if (sensor.ends)
+        if (sensor.acts())
             watch.add(findImplementation<ExpressionMeasureImpl>(sensor.function)->getExpression().get());
     return watch;
 }
