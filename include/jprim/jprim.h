@@ -14,6 +14,7 @@
 #include "jprim/base/units.h"
 #include "jprim/dataset/commands.h"
 #include "jprim/dataset/constraint_statements.h"
+#include "jprim/dataset/control_statements.h"
 #include "jprim/dataset/dataset.h"
 #include "jprim/dataset/element_id.h"
 #include "jprim/dataset/force_statements.h"

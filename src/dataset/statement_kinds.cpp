@@ -8,12 +8,12 @@ namespace {
 
 // Of the kinds that are known to Adams, but not supported yet.
 constexpr Word Unsupported[] = {
-    {"ARRAY", 2},        {"BEAM", 2},         {"CLEARANCE", 2},   {"CONTACT", 3},     {"CURVE", 3},
-    {"CVCV", 2},         {"CVSF", ExactOnly}, {"DIFF", 3},        {"ENVIRONMENT", 3}, {"EXTERNAL_SYSTEM", 3},
-    {"FE_LOAD", 4},      {"FE_NODE", 4},      {"FE_PART", 2},     {"FE_SECTION", 4},  {"FEMDATA", 3},
-    {"FIELD", 3},        {"FRICTION", 2},     {"GSE", 2},         {"LSE", 3},         {"MATRIX", 3},
-    {"MFORCE", 2},       {"NFORCE", 2},       {"PLANT_STATE", 2}, {"PTCV", 2},        {"PTSF", ExactOnly},
-    {"SFSF", ExactOnly}, {"SURFACE", 2},      {"TFSISO", 2},      {"TIRE", 2},        {"UCON", 2}};
+    {"BEAM", 2},         {"CLEARANCE", 2},    {"CONTACT", 3},     {"CURVE", 3},
+    {"CVCV", 2},         {"CVSF", ExactOnly}, {"ENVIRONMENT", 3}, {"EXTERNAL_SYSTEM", 3},
+    {"FE_LOAD", 4},      {"FE_NODE", 4},      {"FE_PART", 2},     {"FE_SECTION", 4},
+    {"FEMDATA", 3},      {"FIELD", 3},        {"FRICTION", 2},    {"MFORCE", 2},
+    {"NFORCE", 2},       {"PLANT_STATE", 2},  {"PTCV", 2},        {"PTSF", ExactOnly},
+    {"SFSF", ExactOnly}, {"SURFACE", 2},      {"TIRE", 2},        {"UCON", 2}};
 
 std::vector<StatementKind> makeKinds() {
     std::vector<StatementKind> kinds = {describeUnits(),
@@ -34,12 +34,18 @@ std::vector<StatementKind> makeKinds() {
                                         describeBushing(),
                                         describeVariable(),
                                         describeSpline(),
+                                        describeArray(),
+                                        describeMatrix(),
+                                        describeDiff(),
+                                        describeLse(),
+                                        describeTfsiso(),
+                                        describeGse(),
+                                        describePinput(),
+                                        describePoutput(),
                                         describeSensor(),
                                         describeAccgrav(),
                                         describeRequest(),
                                         describeMrequest(),
-                                        describePinput(),
-                                        describePoutput(),
                                         describeGraphics(),
                                         describeIgnored("MATERIAL", 4, true),
                                         describeIgnored("STRING", 2, true),

@@ -84,9 +84,13 @@ void MarkerExpression::setInputs(const State& state, Evaluation& evaluation, Kin
     for (size_t k = 0; k < markers.size(); ++k)
         setMotion(k, findMotion(markers[k], state, level), evaluation);
     if (highest < KinematicLevel::Acceleration) return;
-    for (size_t k = 0; k < scalarInputs.size(); ++k)
-        if (scalarInputs[k] && program.usesScalarInput(int(k)))
-            evaluation.setScalarInput(int(k), {scalarInputs[k](state), 0, 0});
+    const bool isAccelerated = state.getSystemStage() >= SimTK::Stage::Acceleration;
+    for (size_t k = 0; k < scalarInputs.size(); ++k) {
+        const auto& [calc, calcRate] = scalarInputs[k];
+        if (calc && program.usesScalarInput(int(k)))
+            evaluation.setScalarInput(int(k),
+                                      {calc(state), isAccelerated && calcRate ? calcRate(state) : 0, 0});
+    }
 }
 
 // An axis x turns with w: d(g.x)/dt = g.(w x x) = (x x g).w. Where x is along g nothing changes; rounding errors

@@ -44,13 +44,17 @@ struct ExpressionInputs {
         int marker = 0;  ///< place in `markers`
         MarkerQuantity quantity = MarkerQuantity::Origin;
     };
-    using ScalarInput = std::function<SimTK::Real(const SimTK::State&)>;
+    using StateFunction = std::function<SimTK::Real(const SimTK::State&)>;
+    struct ScalarInput {
+        StateFunction calc;      ///< empty for time
+        StateFunction calcRate;  ///< its time derivative, at Stage::Acceleration; empty if it is not known
+    };
 
     ExpressionUnits units;
     std::vector<Marker> markers;
     std::vector<int> markerIds;             ///< of `markers`
     std::vector<VectorInput> vectorInputs;  ///< of the program
-    std::vector<ScalarInput> scalarInputs;  ///< of the program; empty for time
+    std::vector<ScalarInput> scalarInputs;  ///< of the program
     /// Pairs of markers whose distance the expression takes, where it has no derivative at zero; -1 is Ground.
     std::vector<std::pair<int, int>> distances;
 

@@ -103,8 +103,10 @@ Operand MarkerFrames::inAxesOf(Operand v, int k) {
     return k == 0 ? v : m_builder.vector(along(v, k, 0), along(v, k, 1), along(v, k, 2));
 }
 
-Operand MarkerFrames::addScalar(KinematicLevel level, ExpressionInputs::ScalarInput calc) {
-    m_inputs.scalarInputs.push_back(std::move(calc));
+Operand MarkerFrames::addScalar(KinematicLevel level, ExpressionInputs::StateFunction calc,
+                                ExpressionInputs::StateFunction calcRate) {
+    m_inputs.scalarInputs.resize(size_t(m_builder.getNumScalarInputs()));  // time leaves a gap
+    m_inputs.scalarInputs.push_back({std::move(calc), std::move(calcRate)});
     return m_builder.addScalarInput(level);
 }
 
@@ -112,9 +114,7 @@ Operand MarkerFrames::addScalar(KinematicLevel level, ExpressionInputs::ScalarIn
 MarkerExpression MarkerFrames::finish(Operand result) {
     Program program = m_builder.finish(result);
     ExpressionInputs inputs = m_inputs;
-    const int time = program.getTimeInput();
-    if (time >= 0)
-        inputs.scalarInputs.insert(inputs.scalarInputs.begin() + time, ExpressionInputs::ScalarInput());
+    inputs.scalarInputs.resize(size_t(program.getNumScalarInputs()));
     return MarkerExpression(std::move(inputs), std::move(program));
 }
 

@@ -59,7 +59,8 @@ public:
     Operand inAxesOf(Operand v, int k);
 
     /// A scalar that only a State can tell.
-    Operand addScalar(KinematicLevel level, ExpressionInputs::ScalarInput calc);
+    Operand addScalar(KinematicLevel level, ExpressionInputs::StateFunction calc,
+                      ExpressionInputs::StateFunction calcRate = {});
 
     /// The finished program with its inputs.
     MarkerExpression finish(Operand result);

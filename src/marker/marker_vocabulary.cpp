@@ -123,7 +123,8 @@ std::string MarkerVocabulary::describeMissing(int id) const {
 }
 
 std::optional<Operand> MarkerVocabulary::call(ProgramBuilder& builder, const Call& call) {
-    if (call.name == "VARVAL") return makeVariable(builder, call);
+    if (call.name == "VARVAL")
+        return makeVariable(builder, getIds(call, 1, 1)[0], call.offset, call.arguments[0].offset);
     const auto named = [&call](const Measure& measure) { return call.name == measure.name; };
     const Measure* measure = std::find_if(std::begin(Measures), std::end(Measures), named);
     if (measure == std::end(Measures)) return std::nullopt;
@@ -135,26 +136,29 @@ std::optional<Operand> MarkerVocabulary::call(ProgramBuilder& builder, const Cal
     return measure->make(m_frames, ids.data(), measure->axis);
 }
 
-Operand MarkerVocabulary::makeVariable(ProgramBuilder& builder, const Call& call) {
-    const int id = getIds(call, 1, 1)[0];
-    const auto known = m_variables.find(id);
-    if (known != m_variables.end()) return known->second;
+Operand MarkerVocabulary::makeVariable(ProgramBuilder& builder, int id, size_t offset, size_t idOffset) {
     const std::string* text = findVariable(id);
-    if (!text) throw ExpressionError(call.arguments[0].offset, fmt::format("VARIABLE/{} does not exist", id));
-    if (std::find(m_open.begin(), m_open.end(), id) != m_open.end())
-        throw ExpressionError(call.offset,
-                              fmt::format("VARIABLE/{} depends on itself; implicit variables are not "
-                                          "supported",
-                                          id));
-    m_open.push_back(id);
+    if (!text) throw ExpressionError(idOffset, fmt::format("VARIABLE/{} does not exist", id));
+    return makeNamed(fmt::format("VARIABLE/{}", id), offset,
+                     [&] { return compileExpression(*text, builder, *this); });
+}
+
+Operand MarkerVocabulary::makeNamed(const std::string& name, size_t offset,
+                                    const std::function<Operand()>& make) {
+    const auto known = m_named.find(name);
+    if (known != m_named.end()) return known->second;
+    if (std::find(m_open.begin(), m_open.end(), name) != m_open.end())
+        throw ExpressionError(
+            offset, fmt::format("{} depends on itself; implicit variables are not supported", name));
+    m_open.push_back(name);
     Operand value;
     try {
-        value = compileExpression(*text, builder, *this);
+        value = make();
     } catch (const ExpressionError& error) {
-        throw ExpressionError(call.offset, fmt::format("in VARIABLE/{}: {}", id, error.what()));
+        throw ExpressionError(offset, fmt::format("in {}: {}", name, error.what()));
     }
     m_open.pop_back();
-    m_variables[id] = value;
+    m_named[name] = value;
     return value;
 }
 

@@ -2,6 +2,7 @@
 #ifndef JPRIM_SRC_MARKER_MARKER_VOCABULARY_H_
 #define JPRIM_SRC_MARKER_MARKER_VOCABULARY_H_
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -33,13 +34,16 @@ protected:
     virtual std::string describeMissing(int id) const;
     /// The text of a variable, or null.
     virtual const std::string* findVariable(int) const { return nullptr; }
+    /// The value of the VARIABLE with an id, which stands at `idOffset` of a call at `offset`.
+    Operand makeVariable(ProgramBuilder& builder, int id, size_t offset, size_t idOffset);
+    /// What has a name of its own is compiled into a program once.
+    /// @throws ExpressionError if it is being compiled already
+    Operand makeNamed(const std::string& name, size_t offset, const std::function<Operand()>& make);
 
 private:
-    Operand makeVariable(ProgramBuilder& builder, const Call& call);
-
     MarkerFrames& m_frames;
-    std::map<int, Operand> m_variables;  // compiled into this program already
-    std::vector<int> m_open;             // being compiled, outermost first
+    std::map<std::string, Operand> m_named;  // compiled into this program already
+    std::vector<std::string> m_open;         // being compiled, outermost first
 };
 
 }  // namespace jprim

@@ -4,6 +4,7 @@
 #include "base/sort_diagnostics.h"
 #include "mechanism/bodies/bodies.h"
 #include "mechanism/check_axes.h"
+#include "mechanism/control/control_variables.h"
 #include "mechanism/elements/coordinates.h"
 #include "mechanism/elements/elements.h"
 #include "mechanism/mechanism_units.h"
@@ -149,11 +150,15 @@ void addElements(const Dataset& dataset, const TreePlan& plan, const GivenPoses&
     checkAxes(dataset, poses, reporter);
     const PlanarLoops planarLoops(plan, poses);
     FunctionContext functions = makeFunctionContext(dataset, contents.units, reporter);
+    ControlVariables* const control = addControlVariables(functions.control, contents);
+    contents.control = functions.controlVariables = control;
     const ElementContext context{dataset,   plan,     planarLoops,         poses,
                                  functions, contents, indexJoints(dataset)};
     addElements(context, functions, reporter);
     contents.initialCoordinates = makeInitialCoordinates(context);
     checkVariables(context, reporter);
+    contents.states = makeStates(context, reporter);
+    if (control) control->setStates(contents.states);
     contents.requests = makeRequests(context, reporter);
     contents.sensors = makeSensors(context, reporter);
     contents.elements = functions.elements;

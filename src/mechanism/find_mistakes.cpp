@@ -42,10 +42,14 @@ public:
         checkForces();
         addFaultyLoads();
         checkFunctions("VARIABLE", m_dataset.variables, FunctionUse::Output);
+        checkFunctions("DIFF", m_dataset.diffs, FunctionUse::Output);
         for (const RequestStatement& request : m_dataset.requests)
             for (const auto& [number, function] : request.expressions)
                 check(fmt::format("REQUEST/{}", request.id), function, FunctionUse::Output);
         checkFunctions("SENSOR", m_dataset.sensors, FunctionUse::Output);
+        for (const SensorStatement& sensor : m_dataset.sensors)
+            if (sensor.evaluate)
+                check(fmt::format("SENSOR/{}", sensor.id), *sensor.evaluate, FunctionUse::Output);
     }
 
 private:
@@ -96,6 +100,8 @@ private:
         const InterpolatingSpline any("", x, {0}, {x});
         for (const int id : findFaultyIds(m_dataset, "SPLINE")) m_functions.splines.emplace(id, any);
         for (const SplineStatement& spline : m_dataset.splines) m_functions.splines.emplace(spline.id, any);
+        m_functions.control = planControl(
+            m_dataset, [this](const SourcePosition& w, const std::string& message) { report(w, message); });
     }
 
     void addFaultyLoads() {

@@ -14,6 +14,29 @@ Operand FunctionWriter::compile(const ExpressionText& function, bool isVector) {
                                                           : "the function is a vector; it must be a number");
 }
 
+FunctionError FunctionWriter::locate(const ExpressionError& error, const PlannedState& state) {
+    return FunctionError(state.diff ? state.diff->function.getPosition(error.offset) : state.where,
+                         error.what());
+}
+
+Operand FunctionWriter::rate(const ControlPlan& plan, size_t k) {
+    const PlannedState& state = plan.states[k];
+    if (state.diff && !state.diff->implicit) return scalar(state.diff->function);
+    try {
+        return m_vocabulary.makeRate(m_builder, k);
+    } catch (const ExpressionError& error) {
+        throw locate(error, state);
+    }
+}
+
+Operand FunctionWriter::equation(const ControlPlan& plan, size_t k, int& unknown) {
+    try {
+        return m_vocabulary.makeEquation(m_builder, k, unknown);
+    } catch (const ExpressionError& error) {
+        throw locate(error, plan.states[k]);
+    }
+}
+
 Operand FunctionWriter::fromAxesOf(int marker, Operand v) {
     if (marker == 0) return v;
     Operand sum = m_builder.multiply(m_builder.component(v, 0), m_frames.axis(marker, 0));

@@ -34,6 +34,11 @@ public:
     Operand scalar(const ExpressionText& function) { return compile(function, false); }
     Operand vector(const ExpressionText& function) { return compile(function, true); }
 
+    /// The derivative of the k-th state, and of an implicit one its equation, as MechanismVocabulary makes them.
+    /// @throws FunctionError
+    Operand rate(const ControlPlan& plan, size_t k);
+    Operand equation(const ControlPlan& plan, size_t k, int& unknown);
+
     Operand scale(SimTK::Real factor, Operand a) { return m_builder.multiply(m_builder.number(factor), a); }
     /// The vector whose components in the axes of a marker are those of v.
     Operand fromAxesOf(int marker, Operand v);
@@ -44,6 +49,7 @@ public:
 
 private:
     Operand compile(const ExpressionText& function, bool isVector);
+    static FunctionError locate(const ExpressionError& error, const PlannedState& state);
 
     ProgramBuilder m_builder;
     MarkerFrames m_frames;

@@ -6,6 +6,7 @@
 #include "base/format.h"
 #include "jprim/base/error.h"
 #include "jprim/marker/load.h"
+#include "mechanism/control/control_variables.h"
 #include "mechanism/mechanism_contents.h"
 
 namespace jprim {
@@ -83,6 +84,18 @@ const std::vector<MechanismRequest>& Mechanism::getRequests() const {
 
 const std::vector<MechanismSensor>& Mechanism::getSensors() const {
     return m_contents->sensors;
+}
+
+const std::vector<MechanismState>& Mechanism::getStates() const {
+    return m_contents->states;
+}
+
+Real Mechanism::getSensorValue(const State& state, size_t k) const {
+    return m_contents->control->getSensorValue(state, k);
+}
+
+void Mechanism::setSensorValue(State& state, size_t k, Real value) const {
+    m_contents->control->setSensorValue(state, k, value);
 }
 
 const Marker& Mechanism::getMarker(int id) const {

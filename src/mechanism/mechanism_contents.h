@@ -12,6 +12,8 @@
 
 namespace jprim {
 
+class ControlVariables;
+
 /// What a Mechanism consists of; see its accessors. It stays where it is when the Mechanism moves.
 struct MechanismContents {
     /// False if something may put energy in or take it out.
@@ -33,6 +35,8 @@ struct MechanismContents {
     std::vector<MechanismRequest> requests;
     std::vector<MechanismSensor> sensors;
     std::function<Mechanism()> makeWithFreeParts;  ///< empty if the parts are free
+    std::vector<MechanismState> states;
+    const ControlVariables* control = nullptr;  ///< owned by the system
     const WorkIntegral* work = nullptr;  ///< owned by the system; null if the mechanism is conservative
 };
 

@@ -49,6 +49,7 @@ void FunctionContext::addUnknownLoad(const ElementId& id) {
 
 std::optional<Operand> MechanismVocabulary::call(ProgramBuilder& builder, const Call& call) {
     if (call.name == "VARVAL") return MarkerVocabulary::call(builder, call);
+    if (const std::optional<Operand> value = callControl(builder, call)) return value;
     const std::optional<Operand> value = makeMeasure(builder, call);
     if (value && m_use == FunctionUse::OfTime) throw ExpressionError(call.offset, NotOnlyTime);
     return value;
@@ -82,6 +83,7 @@ std::vector<std::string> MechanismVocabulary::getNames() const {
     names.emplace_back("ORIENT");
     for (const auto& [function, kind] : ElementFunctions) names.emplace_back(function);
     names.insert(names.end(), std::begin(NetLoads), std::end(NetLoads));
+    for (const std::string& name : getControlNames()) names.push_back(name);
     return names;
 }
 

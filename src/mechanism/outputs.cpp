@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mechanism/outputs.h"
 
+#include <algorithm>
+
 #include "base/format.h"
+#include "mechanism/control/control_variables.h"
 
 namespace jprim {
 
@@ -25,7 +28,53 @@ FunctionContext makeFunctionContext(const Dataset& dataset, const UnitSystem& un
         });
     }
     for (const VariableStatement& s : dataset.variables) functions.variables[s.id] = &s;
+    functions.control =
+        planControl(dataset, [&reporter](const SourcePosition& where, const std::string& message) {
+            reporter.addError(where, message);
+        });
     return functions;
+}
+
+// The system takes the element over.
+ControlVariables* addControlVariables(const ControlPlan& plan, MechanismContents& contents) {
+    const bool evaluates =
+        std::any_of(plan.evaluates.begin(), plan.evaluates.end(), [](bool e) { return e; });
+    if (plan.states.empty() && !evaluates) return nullptr;
+    std::vector<Real> initial;
+    for (const PlannedState& state : plan.states) initial.push_back(state.initial);
+    auto* variables =
+        new ControlVariables(contents.forces, initial, int(plan.evaluates.size()), contents.units.time);
+    SimTK::Force::Custom(contents.forces, variables);
+    for (size_t k = 0; k < plan.states.size(); ++k) {
+        const PlannedState& state = plan.states[k];
+        if (!state.diff || !state.diff->implicit) continue;
+        auto* rate =
+            new ImplicitRate(contents.forces, state.name, state.diff->ic.size() > 1 ? state.diff->ic[1] : 0);
+        SimTK::Force::Custom(contents.forces, rate);
+        variables->setImplicitRate(k, rate);
+    }
+    return variables;
+}
+
+std::vector<MechanismState> makeStates(const ElementContext& context, Reporter& reporter) {
+    std::vector<MechanismState> states;
+    const ControlPlan& plan = context.functions.control;
+    for (size_t k = 0; k < plan.states.size(); ++k) {
+        const PlannedState& state = plan.states[k];
+        reporter.attempt(state.name, state.where, [&] {
+            if (state.diff && state.diff->implicit) {
+                int unknown = -1;
+                const Expression equation = context.write(
+                    FunctionUse::Output, [&](FunctionWriter& w) { return w.equation(plan, k, unknown); });
+                context.contents.control->getImplicitRate(k)->setEquation(equation, unknown);
+            }
+            const Expression rate =
+                context.write(FunctionUse::Output, [&](FunctionWriter& w) { return w.rate(plan, k); });
+            states.push_back(
+                {state.name, ExpressionMeasure(context.contents.forces, rate), state.staticHold});
+        });
+    }
+    return states;
 }
 
 void checkVariables(const ElementContext& context, Reporter& reporter) {
@@ -66,7 +115,8 @@ std::vector<MechanismSensor> makeSensors(const ElementContext& context, Reporter
         const ElementId id{ElementKind::Sensor, s.id};
         reporter.attempt(id.getText(), s.where, [&] {
             sensors.push_back({id, context.makeMeasure(s.function), s.value, s.error, s.comparison, s.halt,
-                               s.halt || s.endsCommand});
+                               s.halt || s.endsCommand, std::nullopt});
+            if (s.evaluate) sensors.back().evaluate = context.makeMeasure(*s.evaluate);
         });
     }
     return sensors;

@@ -28,13 +28,15 @@ BreakWatch BreakWatch::ofLoads(const Mechanism& mechanism) {
         watch.add(constraint->getCoordinate());
         if (constraint->getFunction()) watch.add(*constraint->getFunction());
     }
+    for (const MechanismState& state : mechanism.getStates())
+        watch.add(findImplementation<ExpressionMeasureImpl>(state.rate)->getExpression().get());
     return watch;
 }
 
 BreakWatch BreakWatch::ofSensors(const Mechanism& mechanism) {
     BreakWatch watch;
     for (const MechanismSensor& sensor : mechanism.getSensors())
-        if (sensor.ends)
+        if (sensor.acts())
             watch.add(findImplementation<ExpressionMeasureImpl>(sensor.function)->getExpression().get());
     return watch;
 }
@@ -112,6 +114,17 @@ void BreakWatch::requireNoJump(const Mechanism& mechanism, const State& before, 
                                 "function without a {}, such as STEP",
                                 isJump ? "position" : "velocity", isJump ? "jump" : "kink"));
     }
+}
+
+bool BreakWatch::doRatesJump(const State& before, const State& behind, int numStates) {
+    constexpr Real Jump = 1e-2;
+    const SimTK::Vector jump = behind.getUDot() - before.getUDot();
+    if (jump.size() > 0 && jump.normInf() > Jump * before.getUDot().normInf()) return true;
+    for (int k = 0; k < numStates; ++k) {
+        const Real rate = before.getZDot()[k];
+        if (std::abs(behind.getZDot()[k] - rate) > Jump * std::abs(rate)) return true;
+    }
+    return false;
 }
 
 }  // namespace jprim

@@ -31,6 +31,9 @@ public:
     /// @throws Error naming the MOTION or GCON
     static void requireNoJump(const Mechanism& mechanism, const SimTK::State& before, SimTK::Real behind,
                               KinematicLevel highest = KinematicLevel::Velocity);
+    /// True if accelerations, or the rates of the first states of control systems, are others behind a break. Requires
+    /// Stage::Acceleration.
+    static bool doRatesJump(const SimTK::State& before, const SimTK::State& behind, int numStates);
 
 private:
     /// The breaks of a function, of which the next is known, or that there is none until a time.

@@ -3,9 +3,7 @@
 #include <cmath>
 
 #include "base/format.h"
-#include "force/marker_force_impl.h"
 #include "jprim/base/error.h"
-#include "marker/find_implementation.h"
 #include "simulation/break_watch.h"
 #include "simulation/failure.h"
 #include "simulation/integrators.h"
@@ -26,14 +24,6 @@ using SimTK::State;
 
 namespace {
 
-SwitchWatch::Source makeSwitches(const Mechanism& mechanism) {
-    return [&mechanism](const State& state, std::vector<SwitchWatch::Switch>& switches) {
-        for (const Element& element : mechanism.getElements())
-            if (element.getForce() && !element.isDisabled(state))
-                findImplementation<MarkerForceImpl>(*element.getForce())->addSwitches(state, switches);
-    };
-}
-
 class Integration final : public Stepper {
 public:
     Integration(const Mechanism& mechanism, const State& initial, const SimulationOptions& options)
@@ -44,7 +34,7 @@ public:
           m_quadrature(mechanism.getSystem(), !m_entry.remembersSteps),
           m_breaks(BreakWatch::ofLoads(mechanism)),
           m_span(options.end * mechanism.getUnits().time - initial.getTime()),
-          m_switches(mechanism.getSystem(), makeSwitches(mechanism)),
+          m_switches(mechanism.getSystem(), SwitchWatch::getLoads(mechanism)),
           m_stall(mechanism) {
         begin(initial);
         m_switches.start(getState());
@@ -130,16 +120,13 @@ private:
     // remembers of no more use, nor from rest the step and the motion that errors were held against. An output time may
     // be within the break.
     void cross(const TimeBreak& next, Real time) {
-        constexpr Real Jump = 1e-2;
         const Real there = std::min(next.behind, time);
         BreakWatch::requireNoJump(m_mechanism, getState(), there);
         m_mechanism.getSystem().realize(getState(), SimTK::Stage::Acceleration);
         State behind = getState();
         behind.updTime() = there;
         m_mechanism.getSystem().realize(behind, SimTK::Stage::Acceleration);
-        const SimTK::Vector& before = getState().getUDot();
-        const SimTK::Vector jump = behind.getUDot() - before;
-        const bool isJump = jump.size() > 0 && jump.normInf() > Jump * before.normInf();
+        const bool isJump = BreakWatch::doRatesJump(getState(), behind, m_stateUnits.size());
         if (isJump || there < next.behind || !goesOnAtBreaks()) skipTo(there);
         m_break = next;
     }
@@ -208,27 +195,40 @@ private:
         m_mechanism.getSystem().realize(state, SimTK::Stage::Acceleration);
         m_timeOfARadian = calcTimeOfARadian(m_mechanism, state);
         m_scale.observe(state);
-        m_isAtRest = m_scale.isAtRest(state, First);
+        m_isMechanismAtRest = m_scale.isAtRest(state, First);
+        m_isAtRest = m_isMechanismAtRest && m_scale.areStatesAtRest(state, First);
         const bool isFirst = m_integrator->getNumStepsTaken() == 0;
         const Real h = isFirst ? First : m_integrator->getPredictedNextStepSize();
         m_units = m_scale.calcUnits(state, std::min(h, m_timeOfARadian), m_options.accuracy);
-        if (!m_entry.isRungeKutta && state.getNZ() > 0)
+        m_stateUnits = m_scale.calcStateUnits(state, std::min(h, m_timeOfARadian));
+        if (!m_entry.isRungeKutta && state.getNZ() > m_stateUnits.size())
             m_quadrature.advance(m_integrator->updAdvancedState());
     }
 
     // Errors are held against the motion that there is. CPodes knows one accuracy only, and begins anew with another.
     void adaptToMotion() {
         if (!m_entry.remembersSteps) {
-            m_integrator->updAdvancedState().updUWeights() = m_units.elementwiseInvert();
-        } else if (!m_isAtRest && m_units.normInf() > m_unit) {
+            State& state = m_integrator->updAdvancedState();
+            state.updUWeights() = m_units.elementwiseInvert();
+            for (int k = 0; k < m_stateUnits.size(); ++k)
+                state.updZWeights()[k] = 1 / (StateTightness * m_stateUnits[k]);
+        } else if (!m_isAtRest && calcLargestUnit(1) > m_unit) {
             m_unit = calcCommonUnit();
             restart(getState());
         }
     }
 
+    // The unit of a state above 1 is 1: there an integrator holds errors against the state itself.
+    Real calcLargestUnit(Real ahead) const {
+        Real unit = m_isMechanismAtRest || m_units.size() == 0 ? 1 : std::min(1., ahead * m_units.normInf());
+        for (int k = 0; k < m_stateUnits.size(); ++k)
+            unit = std::min(unit, StateTightness * std::min(1., ahead * m_stateUnits[k]));
+        return unit;
+    }
+
     Real calcCommonUnit() const {
         constexpr Real Ahead = 6;  // what moves a little more soon is worth no new beginning
-        return m_isAtRest ? 1 : std::min(1., Ahead * m_units.normInf());
+        return m_isAtRest ? 1 : calcLargestUnit(Ahead);
     }
 
     // Next to a singular position accelerations are nothing but rounding errors divided by the distance, and no step
@@ -261,20 +261,21 @@ private:
 
     State integrate(const State& from, Real end, Integrator& integrator) const {
         integrator.initialize(from);
-        while (integrator.getTime() < end) {
-            takeOneStep(integrator, end);
-        }
+        while (integrator.getTime() < end) takeOneStep(integrator, end);
         return integrator.getState();
     }
+
+    static constexpr Real StateTightness = 0.25;  // errors of states that vibrate add up over periods
 
     const Mechanism& m_mechanism;
     const SimulationOptions& m_options;
     const IntegratorEntry& m_entry;
     std::unique_ptr<Integrator> m_integrator;
     MotionScale m_scale;
-    SimTK::Vector m_units;  // of speeds
-    Real m_unit = 1;        // of the integrator's accuracy
-    bool m_isAtRest = true;
+    SimTK::Vector m_units;       // of speeds
+    SimTK::Vector m_stateUnits;  // of the states of control systems
+    Real m_unit = 1;             // of the integrator's accuracy
+    bool m_isAtRest = true, m_isMechanismAtRest = true;
     Real m_timeOfARadian = 0;
     Quadrature m_quadrature;
     StepHistory m_history;

@@ -13,7 +13,7 @@ using SimTK::State;
 using SimTK::Vector;
 
 MotionScale::MotionScale(const Mechanism& mechanism, const State& state)
-    : m_least(state.getQ()), m_most(state.getQ()) {
+    : m_least(state.getQ()), m_most(state.getQ()), m_states(int(mechanism.getStates().size()), Real(0)) {
     std::map<MobilizedBodyIndex, MobilizedBodyIndex> flexibleOf;  // of a mode
     for (const MechanismPart& part : mechanism.getParts())
         if (part.flexible)
@@ -47,6 +47,7 @@ void MotionScale::observe(const State& state) {
             for (int i = range.first; i < range.first + range.count; ++i)
                 group.motion = std::max(group.motion, std::abs(state.getU()[i]));
     }
+    for (int k = 0; k < m_states.size(); ++k) m_states[k] = std::max(m_states[k], std::abs(state.getZ()[k]));
 }
 
 int MotionScale::Group::countSpeeds() const {
@@ -68,6 +69,21 @@ bool MotionScale::isAtRest(const State& state, Real time) const {
     return std::all_of(m_groups.begin(), m_groups.end(), [&](const Group& group) {
         return calcMotion(group, state, time) <= Rest * m_farthest;
     });
+}
+
+bool MotionScale::areStatesAtRest(const State& state, Real time) const {
+    constexpr Real Rest = 1e-10;
+    for (int k = 0; k < m_states.size(); ++k)
+        if (time * std::abs(state.getZDot()[k]) > Rest * std::max(m_states[k], Real(1))) return false;
+    return true;
+}
+
+Vector MotionScale::calcStateUnits(const State& state, Real nextStep) const {
+    constexpr Real Least = 1e-3;
+    Vector units(m_states.size());
+    for (int k = 0; k < units.size(); ++k)
+        units[k] = std::max({m_states[k], nextStep * std::abs(state.getZDot()[k]), Least});
+    return units;
 }
 
 // Errors are averaged over all speeds; what rests has none, and would make room for those of what moves. Small motions are

@@ -9,8 +9,8 @@
 namespace jprim {
 
 /// How much of a motion there is: over a run so far, how far each mobilizer's coordinates have gone and how fast, in
-/// length units, radians and seconds. Simbody's integrators hold errors against 1, or a speed where that is larger; a
-/// vibration of a thousandth would be nothing to them.
+/// length units, radians and seconds, and how large each state of the control systems has been. Simbody's integrators
+/// hold errors against 1, or a speed where that is larger; a vibration of a thousandth would be nothing to them.
 class MotionScale {
 public:
     MotionScale(const Mechanism& mechanism, const SimTK::State& state);
@@ -24,9 +24,15 @@ public:
     /// Requires Stage::Acceleration.
     SimTK::Vector calcUnits(const SimTK::State& state, SimTK::Real nextStep, SimTK::Real accuracy) const;
 
+    /// The same for each state: how large it has been, or will be after the next step at its present rate; not less than a
+    /// thousandth, because nobody knows which of a state's digits are rounding errors of what it is the integral of.
+    SimTK::Vector calcStateUnits(const SimTK::State& state, SimTK::Real nextStep) const;
+
     /// True if nothing has moved by more than rounding errors may, nor is accelerated to do so within a time. Requires
     /// Stage::Acceleration.
     bool isAtRest(const SimTK::State& state, SimTK::Real time) const;
+    /// True if the states do not change within a time.
+    bool areStatesAtRest(const SimTK::State& state, SimTK::Real time) const;
 
 private:
     struct Range {
@@ -45,6 +51,7 @@ private:
     std::vector<Group> m_groups;
     SimTK::Vector m_least, m_most;  // coordinates so far
     SimTK::Real m_farthest = 1;     // of them
+    SimTK::Vector m_states;         // the largest so far
 };
 
 }  // namespace jprim

@@ -34,8 +34,9 @@ Vector Quadrature::calcWay(const Moment& end) const {
     return way;
 }
 
-// Hermite's polynomials for values, rates and second derivatives at both ends.
-Vector Quadrature::calcRateBetween(const Moment& end, Real s) {
+// Hermite's polynomials for values, rates and second derivatives at both ends; of states, which have no second ones, for
+// values and rates.
+Real Quadrature::calcRateBetween(const Moment& end, Real s) {
     const Moment& start = m_start;
     const Real h = end.time - start.time, r = 1 - s, s2 = s * s, r2 = r * r;
     const Real value = s2 * s * (10 - 15 * s + 6 * s2);
@@ -44,6 +45,8 @@ Vector Quadrature::calcRateBetween(const Moment& end, Real s) {
     m_between.updQ() = start.q + value * m_way +
                        h * (s * r2 * r * (1 + 3 * s) * start.qDot - r * s2 * s * (1 + 3 * r) * end.qDot) +
                        h * h / 2 * (s2 * r2 * r * start.qDotDot + r2 * s2 * s * end.qDotDot);
+    m_between.updZ() =
+        r2 * (1 + 2 * s) * start.z + s2 * (1 + 2 * r) * end.z + h * s * r * (r * start.zDot - s * end.zDot);
     m_system.realize(m_between, SimTK::Stage::Position);
     const Vector qDot = slope / h * m_way + r2 * (1 - 3 * s) * (1 + 5 * s) * start.qDot +
                         s2 * (1 - 3 * r) * (1 + 5 * r) * end.qDot +
@@ -52,23 +55,21 @@ Vector Quadrature::calcRateBetween(const Moment& end, Real s) {
     m_system.getMatterSubsystem().multiplyByNInv(m_between, false, qDot, u);
     m_between.updU() = u;
     m_system.realize(m_between, SimTK::Stage::Acceleration);
-    const Vector rate = m_between.getZDot();
+    const Real rate = m_between.getZDot()[m_between.getNZ() - 1];
     m_between.autoUpdateDiscreteVariables();
     return rate;
 }
 
 // The rule's two inner points alone are a rule of second order, and their difference shows where rates are not smooth.
-Vector Quadrature::calcIntegral(const Moment& end, Real a, const Vector& rateA, Real b, const Vector& rateB,
-                                int halvings) {
+Real Quadrature::calcIntegral(const Moment& end, Real a, Real rateA, Real b, Real rateB, int halvings) {
     constexpr Real OfTurnover = 1e-3;
     const Real inner = (1 - 1 / std::sqrt(5.)) / 2, twelfth = (b - a) * (end.time - m_start.time) / 12;
-    const Vector inside =
-        calcRateBetween(end, a + inner * (b - a)) + calcRateBetween(end, b - inner * (b - a));
-    const Vector integral = twelfth * (rateA + 5 * inside + rateB);
-    const Real doubt = twelfth * Vector(rateA - inside + rateB).normInf();
-    if (halvings == 0 || doubt <= OfTurnover * (m_turnover + integral.normInf())) return integral;
+    const Real inside = calcRateBetween(end, a + inner * (b - a)) + calcRateBetween(end, b - inner * (b - a));
+    const Real integral = twelfth * (rateA + 5 * inside + rateB);
+    const Real doubt = twelfth * std::abs(rateA - inside + rateB);
+    if (halvings == 0 || doubt <= OfTurnover * (m_turnover + std::abs(integral))) return integral;
     const Real middle = (a + b) / 2;
-    const Vector rate = calcRateBetween(end, middle);
+    const Real rate = calcRateBetween(end, middle);
     return calcIntegral(end, a, rateA, middle, rate, halvings - 1) +
            calcIntegral(end, middle, rate, b, rateB, halvings - 1);
 }
@@ -78,9 +79,10 @@ void Quadrature::advance(State& state) {
     const Moment end = makeMoment(state);
     if (end.time <= m_start.time) return;
     m_way = calcWay(end);
-    const Vector integral = calcIntegral(end, 0, m_start.zDot, 1, end.zDot, MostHalvings);
-    m_turnover += integral.normInf();
-    state.updZ() = m_start.z + integral;
+    const Real integral = calcIntegral(end, 0, m_start.getPower(), 1, end.getPower(), MostHalvings);
+    m_turnover += std::abs(integral);
+    const int work = state.getNZ() - 1;
+    state.updZ()[work] = m_start.z[work] + integral;
     m_start = end;
     m_start.z = state.getZ();
 }

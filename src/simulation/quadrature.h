@@ -6,8 +6,8 @@
 
 namespace jprim {
 
-/// Integrates a State's z, on which nothing depends, over steps of a method that does not do so as well as it integrates
-/// the motion: CPodes iterates until the motion has converged, whatever is left of errors elsewhere. Between the ends of
+/// Integrates the last of a State's z, the work, on which nothing depends, over steps of a method that does not do so as
+/// well as it integrates the motion: CPodes iterates until the motion has converged, whatever is left of errors elsewhere. Between the ends of
 /// a step the motion is taken for the polynomials of fifth degree with the coordinates, rates and accelerations there,
 /// and rates of z are sampled at Lobatto's four points, which is of sixth order in the step. Where that does not tell of
 /// all that happens in a step, such as a contact that a motor presses together, it is halved.
@@ -19,22 +19,24 @@ public:
 
     /// Where a motion begins. Requires Stage::Acceleration, like advance().
     void start(const SimTK::State& state);
-    /// Puts z at the end of a step in its place.
+    /// Puts the work at the end of a step in its place.
     void advance(SimTK::State& state);
 
 private:
-    /// Coordinates and what is integrated, with their rates.
+    /// Coordinates, states and work, with their rates.
     struct Moment {
         SimTK::Real time;
         SimTK::Vector q, qDot, qDotDot, z, zDot;
+
+        SimTK::Real getPower() const { return zDot[zDot.size() - 1]; }
     };
 
     static Moment makeMoment(const SimTK::State& state);
     SimTK::Vector calcWay(const Moment& end) const;
-    SimTK::Vector calcRateBetween(const Moment& end, SimTK::Real fraction);
+    SimTK::Real calcRateBetween(const Moment& end, SimTK::Real fraction);
     /// Between two fractions of a step, from the rates there.
-    SimTK::Vector calcIntegral(const Moment& end, SimTK::Real a, const SimTK::Vector& rateA, SimTK::Real b,
-                               const SimTK::Vector& rateB, int halvings);
+    SimTK::Real calcIntegral(const Moment& end, SimTK::Real a, SimTK::Real rateA, SimTK::Real b,
+                             SimTK::Real rateB, int halvings);
 
     const SimTK::MultibodySystem& m_system;
     bool m_isOfLowOrder;

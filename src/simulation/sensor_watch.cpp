@@ -40,7 +40,7 @@ SensorWatch::Values SensorWatch::calcValues(const State& state) const {
 
 bool SensorWatch::isFiring(size_t k, const Values& before, const Values& now) const {
     const MechanismSensor& sensor = m_mechanism.getSensors()[k];
-    if (!sensor.ends || m_states[k] != SensorState::Armed) return false;
+    if (!sensor.acts() || m_states[k] != SensorState::Armed) return false;
     return isTrue(sensor, now[k]) || isPassed(sensor, before[k], now[k]);
 }
 
@@ -51,18 +51,32 @@ bool SensorWatch::isAnyFiring(const Values& before, const Values& now) const {
 }
 
 // What happened in a step: who has fired, and who is armed again.
-const MechanismSensor* SensorWatch::update(const Values& before, const Values& now) {
+const MechanismSensor* SensorWatch::update(std::unique_ptr<Stepper>& stepper, const Values& before,
+                                           const Values& now) {
     const std::vector<MechanismSensor>& sensors = m_mechanism.getSensors();
     const MechanismSensor* firing = nullptr;
+    std::vector<size_t> evaluating;
     for (size_t k = 0; k < sensors.size(); ++k) {
         if (isFiring(k, before, now)) {
             m_states[k] = SensorState::Fired;
-            if (!firing || (sensors[k].halt && !firing->halt)) firing = &sensors[k];
+            if (sensors[k].evaluate) evaluating.push_back(k);
+            if (sensors[k].ends && (!firing || (sensors[k].halt && !firing->halt))) firing = &sensors[k];
         } else if (m_states[k] == SensorState::Fired && !isTrue(sensors[k], now[k])) {
             m_states[k] = SensorState::Armed;
         }
     }
+    if (!evaluating.empty()) evaluate(evaluating, stepper);
     return firing;
+}
+
+// All of the same State; the motion goes on from it with what was noted.
+void SensorWatch::evaluate(const std::vector<size_t>& sensors, std::unique_ptr<Stepper>& stepper) const {
+    const State& there = stepper->getState();
+    m_mechanism.getSystem().realize(there, SimTK::Stage::Acceleration);
+    State noted = there;
+    for (const size_t k : sensors)
+        m_mechanism.setSensorValue(noted, k, m_mechanism.getSensors()[k].evaluate->calcValue(there));
+    stepper = m_makeStepper(noted);
 }
 
 // The ends of the range of a sensor are switches like those of its function.
@@ -77,7 +91,7 @@ SwitchWatch::Source SensorWatch::makeSwitches() const {
             const SwitchWatch::Switch result = switches.back();
             switches.back().value -= sensor.value - sensor.error;
             switches.push_back({result.value - sensor.value - sensor.error, result.rate, result.level});
-            if (sensor.ends && m_states[k] == SensorState::Armed) continue;
+            if (sensor.acts() && m_states[k] == SensorState::Armed) continue;
             for (size_t i = first; i < switches.size(); ++i)
                 switches[i] = {1, 0, KinematicLevel::Acceleration};
         }
@@ -114,7 +128,7 @@ const MechanismSensor* SensorWatch::step(std::unique_ptr<Stepper>& stepper, Real
         lookBetween(start, stepper);
         now = calcValues(stepper->getState());
     }
-    if (!isAnyFiring(before, now) || isAnyFiring(before, before)) return update(before, now);
+    if (!isAnyFiring(before, now) || isAnyFiring(before, before)) return update(stepper, before, now);
     for (int k = 0; k < Halvings; ++k) {
         const Real middle = (start.getTime() + stepper->getState().getTime()) / 2;
         std::unique_ptr<Stepper> trial = m_makeStepper(start);
@@ -128,7 +142,7 @@ const MechanismSensor* SensorWatch::step(std::unique_ptr<Stepper>& stepper, Real
             start = trial->getState();
         }
     }
-    return update(before, now);
+    return update(stepper, before, now);
 }
 
 }  // namespace jprim

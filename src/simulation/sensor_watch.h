@@ -31,8 +31,8 @@ public:
     /// stands where the first sensor has just become true: where its function has come within ERROR of VALUE, or
     /// right behind a jump. One that is true within the step alone is not overlooked: see BreakWatch and SwitchWatch.
     /// An armed sensor that was true before the step fires at the end of it. All that are true where one fires have
-    /// fired.
-    /// @returns the sensor that fires, of several one with HALT if there is one; or null
+    /// fired, and what they evaluate is in the State.
+    /// @returns the sensor that ends the run, of several one with HALT if there is one; or null
     const MechanismSensor* step(std::unique_ptr<Stepper>& stepper, SimTK::Real time);
 
 private:
@@ -44,7 +44,8 @@ private:
     SwitchWatch::Source makeSwitches() const;
     SimTK::Real findEnd(SimTK::Real now, SimTK::Real time);
     void lookBetween(const SimTK::State& start, std::unique_ptr<Stepper>& stepper);
-    const MechanismSensor* update(const Values& before, const Values& now);
+    const MechanismSensor* update(std::unique_ptr<Stepper>& stepper, const Values& before, const Values& now);
+    void evaluate(const std::vector<size_t>& sensors, std::unique_ptr<Stepper>& stepper) const;
 
     const Mechanism& m_mechanism;
     std::vector<SensorState>& m_states;

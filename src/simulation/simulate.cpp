@@ -51,7 +51,13 @@ bool isHolonomic(const Mechanism& mechanism, const State& state) {
 }
 
 bool isKinematic(const Mechanism& mechanism, const State& state, int freedoms, SimulationKind kind) {
-    const bool isPossible = freedoms == 0 && isHolonomic(mechanism, state);
+    const auto& states = mechanism.getStates();
+    if (kind == SimulationKind::Kinematics && !states.empty())
+        throw Error("kinematics",
+                    fmt::format("nothing is integrated there, as the state of {} has to be; run "
+                                "dynamics instead",
+                                states.front().name));
+    const bool isPossible = freedoms == 0 && states.empty() && isHolonomic(mechanism, state);
     if (kind == SimulationKind::Kinematics && !isPossible)
         throw Error(
             "kinematics",

@@ -4,14 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "force/expression_measure_impl.h"
+#include "force/marker_force_impl.h"
+#include "marker/find_implementation.h"
+
 namespace jprim {
 
 using SimTK::Real;
 using SimTK::State;
 using SimTK::Vector;
 
+SwitchWatch::Source SwitchWatch::getLoads(const Mechanism& mechanism) {
+    return [&mechanism](const State& state, std::vector<SwitchWatch::Switch>& switches) {
+        for (const Element& element : mechanism.getElements())
+            if (element.getForce() && !element.isDisabled(state))
+                findImplementation<MarkerForceImpl>(*element.getForce())->addSwitches(state, switches);
+        for (const MechanismState& control : mechanism.getStates())
+            findImplementation<ExpressionMeasureImpl>(control.rate)
+                ->getExpression()
+                .addSwitches(state, false, switches);
+    };
+}
+
 SwitchWatch::Moment SwitchWatch::makeMoment(const State& state) {
-    return {state.getTime(), Vector(state.getQ()), Vector(state.getQDot())};
+    return {state.getTime(), Vector(state.getQ()), Vector(state.getQDot()), Vector(state.getZ()),
+            Vector(state.getZDot())};
 }
 
 void SwitchWatch::start(const State& state) {
@@ -25,9 +42,12 @@ void SwitchWatch::start(const State& state) {
 
 SwitchWatch::Point SwitchWatch::findBetween(const Moment& end, size_t k, Real s) {
     const Real h = end.time - m_start.time, r = 1 - s;
+    const auto interpolate = [&](const Vector& a, const Vector& aDot, const Vector& b, const Vector& bDot) {
+        return Vector(r * r * (1 + 2 * s) * a + s * s * (1 + 2 * r) * b + h * s * r * (r * aDot - s * bDot));
+    };
     m_between.updTime() = m_start.time + s * h;
-    m_between.updQ() = r * r * (1 + 2 * s) * m_start.q + s * s * (1 + 2 * r) * end.q +
-                       h * s * r * (r * m_start.qDot - s * end.qDot);
+    m_between.updQ() = interpolate(m_start.q, m_start.qDot, end.q, end.qDot);
+    m_between.updZ() = interpolate(m_start.z, m_start.zDot, end.z, end.zDot);
     m_system.realize(m_between, SimTK::Stage::Position);
     const Vector qDot =
         6 * s * r / h * (end.q - m_start.q) + r * (1 - 3 * s) * m_start.qDot + s * (1 - 3 * r) * end.qDot;
@@ -44,14 +64,15 @@ SwitchWatch::Point SwitchWatch::findBetween(const Moment& end, size_t k, Real s)
 // tangents there meet beyond zero, or a curve that bends to one side does not reach it.
 std::optional<SwitchWatch::Point> SwitchWatch::findBeyond(const Moment& end, size_t k, Point from, Point to) {
     constexpr int MostTrials = 30;
-    constexpr Real Margin = 0.05, OfLargest = 1e-9, Nothing = 1e-12;
+    constexpr Real OfLargest = 1e-9, Nothing = 1e-12;
     const Real side = from.value > 0 ? 1 : -1, floor = Nothing + OfLargest * m_largest[k];
     const bool hasRate = m_last[k].level == KinematicLevel::Position;
+    const Real margin = hasRate ? 0.05 : 1e-6;
     for (int trial = 0; trial < MostTrials; ++trial) {
         const Real width = to.s - from.s;
         const Real there = (to.value - from.value - to.rate * width) / (from.rate - to.rate);
         if (side * (from.value + from.rate * there) > -floor) return std::nullopt;
-        const Point p = findBetween(end, k, from.s + std::clamp(there, Margin * width, (1 - Margin) * width));
+        const Point p = findBetween(end, k, from.s + std::clamp(there, margin * width, (1 - margin) * width));
         if (side * p.value < -floor) return p;
         if (!hasRate) return std::nullopt;
         (side * p.rate < 0 ? from : to) = p;

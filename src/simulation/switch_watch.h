@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "jprim/mechanism/mechanism.h"
 #include "marker/tracked_expression.h"
 
 namespace jprim {
@@ -17,7 +18,7 @@ struct Excursion {
 
 /// Values whose signs decide something, from step to step. One that goes through zero and comes back within a step, such
 /// as the penetration of a contact, may not have been seen by the integrator at all. Where the rates at both ends of a step
-/// leave that possible, the motion in between - a cubic through the coordinates and their rates at both ends - is followed
+/// leave that possible, the motion in between - a cubic through the coordinates, states and their rates at both ends - is followed
 /// until it is found or ruled out. Of values that depend on velocities one moment is asked, of those that depend on
 /// accelerations none.
 class SwitchWatch {
@@ -25,6 +26,9 @@ public:
     using Switch = TrackedExpression::Switch;
     /// Tells the switches at a State of Stage::Velocity or Stage::Acceleration, always as many.
     using Source = std::function<void(const SimTK::State&, std::vector<Switch>&)>;
+
+    /// What decides branches of forces and of the rates of states.
+    static Source getLoads(const Mechanism& mechanism);
 
     SwitchWatch(const SimTK::MultibodySystem& system, const Source& source)
         : m_system(system), m_source(source) {}
@@ -41,7 +45,7 @@ public:
 private:
     struct Moment {
         SimTK::Real time;
-        SimTK::Vector q, qDot;
+        SimTK::Vector q, qDot, z, zDot;
     };
     /// A switch at a part s of the step.
     struct Point {

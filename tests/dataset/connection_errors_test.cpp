@@ -209,12 +209,12 @@ TEST(DatasetErrors, Sensors) {
         {"negative tolerance", "SENSOR/1, ERROR=-0.1, VALUE=1, HALT, FUNCTION=TIME",
          "3:11: error: ERROR of SENSOR/1 is -0.1; it cannot be negative"},
         {"without effect", "SENSOR/1, VALUE=1, PRINT, YYDUMP, FUNCTION=TIME",
-         "3:1: warning: SENSOR/1 has no effect without HALT or RETURN\n"
+         "3:1: warning: SENSOR/1 has no effect without HALT, RETURN or EVALUATE\n"
          "3:20: warning: PRINT of SENSOR/1 has no effect\n3:27: warning: YYDUMP of SENSOR/1 has no effect"},
-        {"other output steps", "SENSOR/1, VALUE=1, DT=1, STEP=2, EVAL=TIME\\ANGULAR, FUNCTION=TIME",
+        {"other output steps", "SENSOR/1, VALUE=1, DT=1, STEP=2, ANGULAR, FUNCTION=TIME",
          "3:20: error: DT of SENSOR/1 is not supported yet\n"
          "3:26: error: STEPSIZE of SENSOR/1 is not supported yet\n"
-         "3:34: error: EVALUATE of SENSOR/1 is not supported yet"},
+         "3:34: error: ANGULAR of SENSOR/1 is not supported yet"},
     });
 }
 

@@ -30,8 +30,9 @@ inline std::size_t countMembers(const Dataset& d) {
     return d.parts.size() + d.pointMasses.size() + d.flexBodies.size() + d.markers.size() + d.jprims.size() +
            d.joints.size() + d.gcons.size() + d.motions.size() + d.couplers.size() + d.sforces.size() +
            d.vectorForces.size() + d.springdampers.size() + d.bushings.size() + d.variables.size() +
-           d.splines.size() + d.sensors.size() + d.requests.size() + d.graphics.size() + (d.units ? 1u : 0u) +
-           (d.gravity ? 1u : 0u);
+           d.splines.size() + d.arrays.size() + d.matrices.size() + d.diffs.size() + d.lses.size() +
+           d.tfsisos.size() + d.plantInputs.size() + d.plantOutputs.size() + d.sensors.size() +
+           d.requests.size() + d.graphics.size() + (d.units ? 1u : 0u) + (d.gravity ? 1u : 0u);
 }
 
 /// Every expression of a dataset.
@@ -44,7 +45,10 @@ inline std::vector<ExpressionText> listExpressions(const Dataset& d) {
     addFunctions(d.motions);
     addFunctions(d.sforces);
     addFunctions(d.variables);
+    addFunctions(d.diffs);
     addFunctions(d.sensors);
+    for (const SensorStatement& sensor : d.sensors)
+        if (sensor.evaluate) all.push_back(*sensor.evaluate);
     for (const VectorForceStatement& force : d.vectorForces) {
         for (const auto& component : force.components) all.push_back(component.value_or(ExpressionText{}));
         all.push_back(force.fxyz.value_or(ExpressionText{}));

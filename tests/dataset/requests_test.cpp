@@ -202,17 +202,5 @@ TEST(DatasetIgnored, MaterialsAreKeptAsText) {
     EXPECT_EQ(dataset.counts.ignored, 2);
 }
 
-TEST(DatasetIgnored, VariablesOfAPlantAreNamedInAWarning) {
-    const Reading reading = readInModel("VARIABLE/7, FUNCTION=1\nPINPUT/1, VARIABLES=7,\n7\nPOUT/2, VAR=7");
-    EXPECT_EQ(
-        reading.findings,
-        "4:1: warning: PINPUT/1 is ignored: it lists inputs for LINEAR and for control systems "
-        "(VARIABLES=7, 7), and no motion depends on it\n"
-        "6:1: warning: POUTPUT/2 is ignored: it lists outputs for LINEAR and for control systems (VAR=7), and "
-        "no motion depends on it");
-    EXPECT_EQ(reading.dataset.counts.ignored, 2);
-    EXPECT_EQ(reading.dataset.counts.errors, 0);
-}
-
 }  // namespace
 }  // namespace jprim

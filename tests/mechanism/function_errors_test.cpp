@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
              "11:39: error: SENSOR/1: unknown function 'QQQ'\n"},
         Case{"SensorVector", "SENSOR/1,VALUE=1,HALT,FUNCTION=UVX(20)",
              "11:32: error: SENSOR/1: the function is a vector; it must be a number\n"},
-        Case{"OnlyToAdams", "REQUEST/1,F2=DIF(1)", "11:14: error: REQUEST/1: DIF is not supported\n"}),
+        Case{"OnlyToAdams", "REQUEST/1,F2=SWEEP(1)", "11:14: error: REQUEST/1: SWEEP is not supported\n"}),
     getName);
 
 // A floating marker lies where its force acts: it says nothing of the size of its part.

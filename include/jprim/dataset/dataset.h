@@ -13,6 +13,7 @@
 #include "jprim/base/diagnostic.h"
 #include "jprim/base/units.h"
 #include "jprim/dataset/constraint_statements.h"
+#include "jprim/dataset/control_statements.h"
 #include "jprim/dataset/force_statements.h"
 #include "jprim/dataset/graphics_statement.h"
 #include "jprim/dataset/source_text.h"
@@ -152,7 +153,7 @@ struct SplineStatement {
 
 enum class SensorComparison { Equal, GreaterOrEqual, LessOrEqual };
 
-/// SENSOR: ends the simulation when its function f reaches a value: |f - value| <= error (Equal),
+/// SENSOR: notes a value, or ends the simulation, when its function f reaches a value: |f - value| <= error (Equal),
 /// f >= value - error (GreaterOrEqual) or f <= value + error (LessOrEqual).
 struct SensorStatement {
     SourcePosition where;
@@ -163,10 +164,12 @@ struct SensorStatement {
     SensorComparison comparison = SensorComparison::Equal;
     bool halt = false;         ///< HALT: end the run
     bool endsCommand = false;  ///< RETURN: end the SIMULATE that runs, and go on with the next command
+    /// EVALUATE: what SENVAL(id) is from the moment at which the function reaches the value; 0 before.
+    std::optional<ExpressionText> evaluate;
 };
 
 /// A statement that changes no motion, or only the numerical method: read, kept as text, otherwise ignored.
-/// MATERIAL, MREQUEST, PINPUT, POUTPUT, STRING; OUTPUT, RESULTS, DEBUG, PREFERENCES, INTEGRATOR,
+/// MATERIAL, MREQUEST, STRING; OUTPUT, RESULTS, DEBUG, PREFERENCES, INTEGRATOR,
 /// KINEMATICS, EQUILIBRIUM, IC.
 struct IgnoredStatement {
     SourcePosition where;
@@ -203,6 +206,13 @@ struct Dataset {
     std::vector<BushingStatement> bushings;
     std::vector<VariableStatement> variables;
     std::vector<SplineStatement> splines;
+    std::vector<ArrayStatement> arrays;
+    std::vector<MatrixStatement> matrices;
+    std::vector<DiffStatement> diffs;
+    std::vector<LseStatement> lses;
+    std::vector<TfsisoStatement> tfsisos;
+    std::vector<PlantStatement> plantInputs;
+    std::vector<PlantStatement> plantOutputs;
     std::vector<SensorStatement> sensors;
     std::vector<RequestStatement> requests;
     std::vector<GraphicsStatement> graphics;

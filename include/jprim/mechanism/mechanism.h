@@ -75,15 +75,27 @@ struct MechanismRequest {
     std::vector<std::pair<int, ExpressionMeasure>> functions;
 };
 
-/// A SENSOR: ends a run where it fires, if it has HALT or RETURN.
+/// A state of a DIFF, LSE or TFSISO. The k-th of Mechanism::getStates() is the k-th of a State's z, in the dataset's
+/// units; integrators hold its errors against how large it has been.
+struct MechanismState {
+    std::string name;         ///< "DIFF/3", "LSE/2 state 1"
+    ExpressionMeasure rate;   ///< its derivative, per the dataset's unit of time
+    bool staticHold = false;  ///< statics leave it what it is, instead of making its derivative zero
+};
+
+/// A SENSOR: ends a run where it fires, if it has HALT or RETURN, and notes what EVALUATE says.
 struct MechanismSensor {
     ElementId id;
     ExpressionMeasure function;  ///< in the dataset's units
     double value = 0;
     double error = 0;
     SensorComparison comparison = SensorComparison::Equal;
-    bool halt = false;  ///< ends the whole run, not just the command that runs
-    bool ends = true;   ///< false of one without HALT and RETURN, which does nothing
+    bool halt = false;                          ///< ends the whole run, not just the command that runs
+    bool ends = true;                           ///< false of one without HALT and RETURN
+    std::optional<ExpressionMeasure> evaluate;  ///< what SENVAL is from where it fires
+
+    /// False if it does nothing where it fires.
+    [[nodiscard]] bool acts() const { return ends || evaluate; }
 };
 
 /// A coordinate with given values at the start: IC of a JOINT, ICDISP and ICVEL of a MOTION.
@@ -127,6 +139,10 @@ public:
     [[nodiscard]] const std::vector<InitialCoordinate>& getInitialCoordinates() const;
     [[nodiscard]] const std::vector<MechanismRequest>& getRequests() const;
     [[nodiscard]] const std::vector<MechanismSensor>& getSensors() const;
+    [[nodiscard]] const std::vector<MechanismState>& getStates() const;
+    /// What SENVAL gives for the k-th of getSensors(), if that has EVALUATE: 0 before it fires, then what is set.
+    [[nodiscard]] SimTK::Real getSensorValue(const SimTK::State& state, std::size_t k) const;
+    void setSensorValue(SimTK::State& state, std::size_t k, SimTK::Real value) const;
     /// The marker with this id; 0 is ground's own frame. @throws Error if there is none
     [[nodiscard]] const Marker& getMarker(int id) const;
 

@@ -91,7 +91,8 @@ bool StatementReader::checkGiven(const ArgumentRule& rule, std::size_t offset) {
 
 bool StatementReader::readEquals(const ArgumentRule& rule, std::size_t offset) {
     const bool equals = !atEnd() && m_text[m_at] == '=';
-    const bool bare = isBare(rule.kind);
+    const bool bare = isBare(rule.kind) || (!equals && rule.least == 0);
+    m_hasValue = equals;
     if (equals == bare)
         addError(offset, bare ? fmt::format("{} takes no value", describe(rule))
                               : fmt::format("{} needs a value: {}=", describe(rule), rule.name));

@@ -16,11 +16,14 @@ bool isNumeric(ArgumentKind kind) {
 
 bool isReference(ArgumentKind kind) {
     return kind == ArgumentKind::Part || kind == ArgumentKind::PointMass || kind == ArgumentKind::FlexBody ||
-           kind == ArgumentKind::Marker || kind == ArgumentKind::MarkerOrZero || kind == ArgumentKind::Joint;
+           kind == ArgumentKind::Marker || kind == ArgumentKind::MarkerOrZero ||
+           kind == ArgumentKind::Joint || kind == ArgumentKind::Variable || kind == ArgumentKind::Array ||
+           kind == ArgumentKind::Matrix;
 }
 
 bool isId(ArgumentKind kind) {
-    return isReference(kind) || kind == ArgumentKind::Id || kind == ArgumentKind::Node;
+    return isReference(kind) || kind == ArgumentKind::Id || kind == ArgumentKind::Count ||
+           kind == ArgumentKind::Node;
 }
 
 bool isCountRight(const ArgumentRule& rule, std::size_t count) {
@@ -28,7 +31,10 @@ bool isCountRight(const ArgumentRule& rule, std::size_t count) {
 }
 
 std::string describeCount(const ArgumentRule& rule) {
-    const char* const what = rule.kind == ArgumentKind::Node ? "node" : isId(rule.kind) ? "id" : "number";
+    const bool counts = rule.kind == ArgumentKind::Count;
+    const char* const what = rule.kind == ArgumentKind::Node ? "node"
+                             : isId(rule.kind) && !counts    ? "id"
+                                                             : "number";
     if (rule.most == 1) return fmt::format("1 {}", what);
     if (rule.most == NoLimit) return fmt::format("at least {} {}s", rule.least, what);
     if (rule.least == rule.most) return fmt::format("{} {}s", rule.most, what);
@@ -99,6 +105,8 @@ bool StatementReader::readNumber(const ArgumentRule& rule, ArgumentValue& value)
         const Number<int> id = parseId(item, rule.kind == ArgumentKind::MarkerOrZero ? 0 : 1);
         value.ids.push_back(id.value);
         fault = id.fault;
+        if (rule.kind == ArgumentKind::Count && !fault.empty())
+            fault = quote(item) + " is not a whole number from 1";
     } else {
         const Number<double> number = parseReal(item, rule.kind == ArgumentKind::Angle);
         value.numbers.push_back(number.value);
@@ -121,6 +129,7 @@ void StatementReader::addReferences(const ArgumentRule& rule, const ArgumentValu
 bool StatementReader::readWords(const ArgumentRule& rule, ArgumentValue& value) {
     const int errors = m_errors;
     std::string_view rest = takeItem();
+    if (!m_hasValue) return true;
     for (bool more = true; more && m_errors < MostErrors;) {
         const std::size_t colon = std::min(rest.find(':'), rest.size());
         const std::string_view word = trim(rest.substr(0, colon));

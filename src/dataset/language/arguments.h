@@ -27,10 +27,14 @@ enum class ArgumentKind {
     Marker,        ///< the id of a MARKER
     MarkerOrZero,  ///< the same, or 0 for ground
     Joint,         ///< the ids of JOINTs
+    Variable,      ///< the ids of VARIABLEs
+    Array,         ///< the id of an ARRAY
+    Matrix,        ///< the id of a MATRIX
     Id,            ///< ids of statements that are not known here
+    Count,         ///< a whole number from 1
     Node,          ///< the number of one node of a mesh
     Words,         ///< colon list of words, each at most once
-    WordSequence,  ///< colon list of words
+    WordSequence,  ///< colon list of words; with `least` 0 the name may stand alone
     Text,          ///< free text up to the next comma
     Names,         ///< up to `most` names, each in double quotes or not, of which some may be empty
     Expression,    ///< function expression up to a backslash

@@ -25,6 +25,9 @@ std::string_view getKeyword(ArgumentKind kind) {
         case ArgumentKind::PointMass: return "POINT_MASS";
         case ArgumentKind::FlexBody: return "FLEX_BODY";
         case ArgumentKind::Joint: return "JOINT";
+        case ArgumentKind::Variable: return "VARIABLE";
+        case ArgumentKind::Array: return "ARRAY";
+        case ArgumentKind::Matrix: return "MATRIX";
         default: return "MARKER";
     }
 }

@@ -150,7 +150,8 @@ private:
     std::string_view m_keyword;
     int m_id = 0;
     std::size_t m_at = 0;
-    bool m_comma = false;  // the last thing read was a comma, so an argument must follow
+    bool m_comma = false;     // the last thing read was a comma, so an argument must follow
+    bool m_hasValue = false;  // the last name was followed by '='
     int m_errors = 0;
     const std::vector<ArgumentRule>* m_rules = nullptr;
     std::vector<Given> m_given;

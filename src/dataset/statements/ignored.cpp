@@ -25,18 +25,6 @@ void readMrequest(StatementReader& reader) {
             0, reader.getName() + " writes nothing here; write a REQUEST for each pair of markers");
 }
 
-void readPlantVariables(StatementReader& reader) {
-    readIgnored(reader);
-    if (reader.hasErrors()) return;
-    const bool isInput = reader.getKeyword() == "PINPUT";
-    const std::string& listed = reader.updState().dataset.ignored.back().arguments;
-    reader.addWarning(0,
-                      fmt::format("{} is ignored: it lists {} for LINEAR and for control systems{}, and no "
-                                  "motion depends on it",
-                                  reader.getName(), isInput ? "inputs" : "outputs",
-                                  listed.empty() ? "" : fmt::format(" ({})", listed)));
-}
-
 // The text is a list of items, each followed by ", "; it may be broken between them.
 void write(StatementWriter& writer, const IgnoredStatement& s) {
     writer.begin(s.keyword, s.id);
@@ -68,14 +56,6 @@ StatementKind describeIgnored(std::string_view name, std::size_t minimum, bool h
 
 StatementKind describeMrequest() {
     return {"MREQUEST", 2, true, true, readMrequest, {}, {}};
-}
-
-StatementKind describePinput() {
-    return {"PINPUT", 2, true, true, readPlantVariables, {}, {}};
-}
-
-StatementKind describePoutput() {
-    return {"POUTPUT", 3, true, true, readPlantVariables, {}, {}};
 }
 
 }  // namespace jprim

@@ -26,6 +26,7 @@ const FieldTable<S>& getFields() {
                                          field({"HALT", Kind::Flag}, &S::halt),
                                          field({"RETURN", Kind::Flag, 3}, &S::endsCommand),
                                          field(functionRule(), &S::function),
+                                         field({"EVALUATE", Kind::Expression, 2}, &S::evaluate),
                                          ArgumentRule("PRINT", Kind::Flag),
                                          ArgumentRule("RESTART", Kind::Flag, 3),
                                          ArgumentRule("CODGEN", Kind::Flag),
@@ -33,8 +34,7 @@ const FieldTable<S>& getFields() {
                                          ArgumentRule("BISECTION", Kind::Flag),
                                          ArgumentRule("ANGULAR", Kind::Unsupported),
                                          ArgumentRule("DT", Kind::Unsupported, ExactOnly),
-                                         ArgumentRule("STEPSIZE", Kind::Unsupported),
-                                         ArgumentRule("EVALUATE", Kind::Unsupported, 2)};
+                                         ArgumentRule("STEPSIZE", Kind::Unsupported)};
     return fields;
 }
 
@@ -46,8 +46,9 @@ void check(StatementReader& reader, S& sensor) {
         if (reader.has(name))
             reader.addWarning(reader.getOffset(name),
                               fmt::format("{} of {} has no effect", name, reader.getName()));
-    if (!sensor.halt && !sensor.endsCommand)
-        reader.addWarning(0, fmt::format("{} has no effect without HALT or RETURN", reader.getName()));
+    if (!sensor.halt && !sensor.endsCommand && !sensor.evaluate)
+        reader.addWarning(0,
+                          fmt::format("{} has no effect without HALT, RETURN or EVALUATE", reader.getName()));
 }
 
 }  // namespace

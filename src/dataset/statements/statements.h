@@ -26,6 +26,14 @@ StatementKind describeSpringdamper();
 StatementKind describeBushing();
 StatementKind describeVariable();
 StatementKind describeSpline();
+StatementKind describeArray();
+StatementKind describeMatrix();
+StatementKind describeDiff();
+StatementKind describeLse();
+StatementKind describeTfsiso();
+StatementKind describeGse();
+StatementKind describePinput();
+StatementKind describePoutput();
 StatementKind describeSensor();
 StatementKind describeAccgrav();
 StatementKind describeRequest();
@@ -34,8 +42,6 @@ StatementKind describeGraphics();
 /// A kind that changes no motion, or only the numerical method. All of them stand in one list of the dataset.
 StatementKind describeIgnored(std::string_view name, std::size_t minimum, bool hasId);
 StatementKind describeMrequest();
-StatementKind describePinput();
-StatementKind describePoutput();
 
 }  // namespace jprim
 
