@@ -48,6 +48,30 @@ test('interpolates between output times', async () => {
   for (const t of [0.005, 0.3333, 1.2345]) await assertDrawnAt(t, 3e-4);
 });
 
+test('the picture shows them there', async () => {
+  const { x, y } = await (await page.$('.picture canvas')).boundingBox();
+  for (const t of [0.8, 1.4]) {
+    await setTime(t);
+    await page.waitForFunction(() => window.jprim.renderInfo().atRest);
+    for (const [id, [red, green, blue]] of Object.entries({ 'PART/3': [238, 221, 136], 'PART/2': [68, 187, 153] })) {
+      const at = await page.evaluate((name) => window.jprim.getScreenPosition(name), id);
+      const clip = { x: Math.round(x + at.x), y: Math.round(y + at.y), width: 1, height: 1 };
+      const seen = await pixelOf(await page.screenshot({ clip, encoding: 'base64' }));
+      const ratio = (a, b) => Math.abs(a[0] / a[2] - b[0] / b[2]) / (b[0] / b[2]);
+      assert.ok(ratio(seen, [red, green, blue]) < 0.35, `${id} at ${t}: ${seen}`);
+    }
+  }
+});
+
+const pixelOf = (data) => page.evaluate(async (base64) => {
+  const image = new Image();
+  image.src = `data:image/png;base64,${base64}`;
+  await image.decode();
+  const context = new OffscreenCanvas(1, 1).getContext('2d');
+  context.drawImage(image, 0, 0);
+  return [...context.getImageData(0, 0, 1, 1).data].slice(0, 3);
+}, data);
+
 test('plays with the space bar, and pauses', async () => {
   await setTime(0);
   await page.focus('canvas');

@@ -3,6 +3,8 @@
 import {
   BufferGeometry, Color, DoubleSide, FrontSide, Group, InstancedMesh, Intersection, Material, Matrix4, MeshLambertMaterial,
 } from 'three';
+import { Merged } from './merged';
+import { runsOnProcessor } from './processor';
 
 export interface Item {
   /** What is selected by a click on the item. */
@@ -32,7 +34,7 @@ export class Batch {
   private readonly items: Item[] = [];
   private readonly geometries = new Map<string, BufferGeometry>();
   private placed: Placed[] = [];
-  private meshes: { mesh: InstancedMesh; items: Item[] }[] = [];
+  private meshes: { mesh: InstancedMesh; items: Item[]; merged: Merged | null }[] = [];
   private readonly hiddenIds = new Set<string>();
 
   constructor(private readonly makeMaterial: () => Material = () => new MeshLambertMaterial()) {}
@@ -54,28 +56,34 @@ export class Batch {
         mesh.setColorAt(index, item.color);
         this.placed.push({ item, mesh, index });
       });
-      this.meshes.push({ mesh, items });
-      this.group.add(mesh);
+      const merged = runsOnProcessor() ? new Merged(mesh, material) : null;
+      merged?.paint();
+      this.meshes.push({ mesh, items, merged });
+      this.group.add(mesh, ...(merged ? [merged.mesh] : []));
     }
   }
 
   /** Brings all instances to where their frames are now. */
   update(): void {
     const world = new Matrix4();
-    for (const { mesh, items } of this.meshes) {
+    for (const { mesh, items, merged } of this.meshes) {
       items.forEach((item, index) => {
         const shown = this.placeItem(item, world);
         (shown ? world : hidden).toArray(mesh.instanceMatrix.array, 16 * index);
       });
       mesh.instanceMatrix.needsUpdate = true;
       mesh.boundingSphere = null;
+      merged?.place();
     }
   }
 
   recolor(colorOf: (item: Item, out: Color) => Color): void {
     const color = new Color();
     for (const { item, mesh, index } of this.placed) mesh.setColorAt(index, colorOf(item, color));
-    for (const { mesh } of this.meshes) if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+    for (const { mesh, merged } of this.meshes) {
+      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+      merged?.paint();
+    }
   }
 
   hide(id: string, hide: boolean): void {

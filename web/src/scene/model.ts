@@ -43,7 +43,7 @@ export class Model {
     this.geometries = new Geometries(results.report.parts.length);
     for (const name of layerNames) this.addLayer(name);
     this.symbols = new Symbols(this.motion, this.layer('joints'), this.geometries);
-    this.symbols.size = 0.045 * this.size;
+    this.symbols.size = 0.045 * this.size * Math.min(1, Math.sqrt(20 / Math.max(1, results.report.elements.length)));
     this.loads = new Loads(this.motion, columns, this.geometries, this.size);
     this.traces = new Traces(this.motion);
     this.flexible = results.flexible.map((body) => new FlexibleBody(this.motion, body, this.colorOf(body.part)));

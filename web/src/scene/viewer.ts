@@ -6,6 +6,7 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { niceBelow } from '../data/numbers';
 import { firstDirection, fitPoints, upFrom, viewDirection, type ViewName } from './camera';
+import { undrawnLayer } from './merged';
 import type { Model } from './model';
 import { background, gridColors } from './palette';
 import { Surface } from './surface';
@@ -160,6 +161,7 @@ export class Viewer {
     const at = new Vector2(((event.clientX - left) / width) * 2 - 1, 1 - ((event.clientY - top) / height) * 2);
     const raycaster = new Raycaster();
     raycaster.setFromCamera(at, this.camera);
+    raycaster.layers.enable(undrawnLayer);
     raycaster.params.Line.threshold = this.model.size * 0.005;
     return this.model.pick(raycaster);
   }
