@@ -58,6 +58,8 @@
 #include "jprim/simulation/assemble_system.h"
 #include "jprim/simulation/describe_columns.h"
 #include "jprim/simulation/equilibrium.h"
+#include "jprim/simulation/linear_modes.h"
+#include "jprim/simulation/linearize.h"
 #include "jprim/simulation/run_commands.h"
 #include "jprim/simulation/simulate.h"
 #include "jprim/version.h"

@@ -158,6 +158,17 @@ VectorXd ScaledEquations::calcErrors(const State& state) const {
     return errors;
 }
 
+VectorXd ScaledEquations::calcRateErrors(const State& state) const {
+    realize(state);
+    VectorXd errors = VectorXd::Zero(int(m_equations.size()));
+    for (int i = 0; i < errors.size(); ++i) {
+        const ConstraintEquation& equation = m_equations[size_t(i)];
+        if (equation.level != KinematicLevel::Acceleration)
+            errors[i] = m_rowScale[i] * state.getUErr()[equation.multiplier];
+    }
+    return errors;
+}
+
 State ScaledEquations::move(const State& state, const VectorXd& u) const {
     realize(state);
     SimTK::Vector change;

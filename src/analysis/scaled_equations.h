@@ -37,6 +37,8 @@ public:
     Eigen::MatrixXd calcCleanJacobian(const SimTK::State& state) const;
     /// R e, one for each equation; 0 for those that are not holonomic.
     Eigen::VectorXd calcErrors(const SimTK::State& state) const;
+    /// R (G u - b), one for each equation on positions or speeds; 0 for those on accelerations.
+    Eigen::VectorXd calcRateErrors(const SimTK::State& state) const;
     /// The positions moved by u.
     SimTK::State move(const SimTK::State& state, const Eigen::VectorXd& u) const;
 

@@ -32,6 +32,13 @@ VectorXd RankedRows::solve(const VectorXd& b) const {
     return m_Q.leftCols(m_L.cols()) * alongRows;
 }
 
+MatrixXd RankedRows::calcPseudoInverse() const {
+    if (m_L.cols() == 0) return MatrixXd::Zero(m_Q.rows(), m_L.rows());
+    const MatrixXd alongRows =
+        Eigen::ColPivHouseholderQR<MatrixXd>(m_L).solve(MatrixXd::Identity(m_L.rows(), m_L.rows()));
+    return m_Q.leftCols(m_L.cols()) * alongRows;
+}
+
 VectorXd RankedRows::solveTransposed(const VectorXd& f) const {
     if (m_L.cols() == 0) return VectorXd::Zero(m_L.rows());
     const double threshold = std::numeric_limits<double>::epsilon() * double(m_L.cols());

@@ -16,6 +16,8 @@ public:
     Eigen::MatrixXd calcNullSpace() const;
     /// The smallest of the x that come nearest to A x = b.
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    /// The matrix of solve().
+    Eigen::MatrixXd calcPseudoInverse() const;
     /// The smallest of the y that come nearest to ~A y = f.
     Eigen::VectorXd solveTransposed(const Eigen::VectorXd& f) const;
 
