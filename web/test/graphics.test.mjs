@@ -102,6 +102,19 @@ test('draws a flexible body that deforms, more with a larger scale', async () =>
   await page.close();
 });
 
+test('draws a flexible body of points alone', async () => {
+  const { report, blocks } = everything([], { withElements: false });
+  delete report.flexible[0].faces;
+  delete report.flexible[0].edges;
+  const { page, trouble } = await openPage(browser, writePage(fillPage(report, blocks)), { width: 900, height: 700 });
+  await page.click('#tab-2');
+  await (await page.$('.show label ::-p-text(Grid)')).click();
+  await hideOthers(page, ['PART/2', 'PART/3']);
+  assert.ok((await pixels(page, 'FLEXIBLE-points')) > 100);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
+
 test('draws symbols, springs, markers and arrows of loads', async () => {
   const { page, trouble } = await openWith([], {}, ['Joints', 'Springs', 'Markers', 'Forces', 'Torques']);
   await page.evaluate(() => window.jprim.setTime(0.5));

@@ -54,7 +54,7 @@ export function firstPlots(columns: Columns, peaks: Peaks, partCount: number): C
     request.length > 0 ? request : mostMoving(columns, partCount),
     largest,
     energy.filter((column) => !isError(column)).slice(0, mostCurves),
-    energy.filter(isError).slice(0, 1),
+    energy.filter(isError).slice(0, 2),
   ];
   return plots.filter((plot) => plot.length > 0);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshLambertMaterial,
+  MeshLambertMaterial, Points, PointsMaterial,
 } from 'three';
 import type { Flexible } from '../data/load';
 import type { Motion } from '../data/motion';
@@ -11,7 +11,7 @@ export class FlexibleBody {
   readonly group = new Group();
   readonly id: string;
   private readonly positions: BufferAttribute;
-  private readonly materials: (MeshLambertMaterial | LineBasicMaterial)[] = [];
+  private readonly materials: (MeshLambertMaterial | LineBasicMaterial | PointsMaterial)[] = [];
   private readonly ownColors: Color[] = [];
 
   constructor(
@@ -24,6 +24,7 @@ export class FlexibleBody {
     this.group.matrixAutoUpdate = false;
     if (body.faces.length > 0) this.addFaces(color);
     if (body.edges.length > 0) this.addEdges(body.faces.length > 0 ? color.clone().multiplyScalar(0.45) : color);
+    if (body.faces.length === 0 && body.edges.length === 0) this.addPoints(color);
   }
 
   update(): void {
@@ -59,7 +60,15 @@ export class FlexibleBody {
     this.addObject(new LineSegments(geometry, material), material, color);
   }
 
-  private addObject(object: Mesh | LineSegments, material: MeshLambertMaterial | LineBasicMaterial, color: Color): void {
+  private addPoints(color: Color): void {
+    const geometry = new BufferGeometry().setAttribute('position', this.positions);
+    const material = new PointsMaterial({ size: 4, sizeAttenuation: false });
+    this.addObject(new Points(geometry, material), material, color);
+  }
+
+  private addObject(
+    object: Mesh | LineSegments | Points, material: MeshLambertMaterial | LineBasicMaterial | PointsMaterial, color: Color,
+  ): void {
     object.frustumCulled = false;
     object.userData.id = this.id;
     material.color.copy(color);

@@ -163,6 +163,7 @@ export class Viewer {
     raycaster.setFromCamera(at, this.camera);
     raycaster.layers.enable(undrawnLayer);
     raycaster.params.Line.threshold = this.model.size * 0.005;
+    raycaster.params.Points.threshold = this.model.size * 0.008;
     return this.model.pick(raycaster);
   }
 }
