@@ -55,7 +55,7 @@ std::string suggestNumbers(const std::vector<std::string>& names, std::string_vi
 }  // namespace
 
 std::string suggestNearest(const std::vector<std::string>& names, std::string_view word) {
-    const std::string numbers = suggestNumbers(names, word);
+    std::string numbers = suggestNumbers(names, word);
     if (!numbers.empty()) return numbers;
     // One slip in a short word, two in a longer one; never so many that nothing of the word is left.
     std::size_t least = std::min<std::size_t>(word.size(), word.size() < 6 ? 2 : 3);

@@ -19,6 +19,7 @@ std::string makeField(const std::string& name) {
 
 std::string makeHeader(const std::vector<std::string>& columns) {
     std::vector<std::string> fields;
+    fields.reserve(columns.size());
     for (const std::string& name : columns) fields.push_back(makeField(name));
     return join(fields, ",");
 }

@@ -26,7 +26,8 @@ SwitchWatch::Source SwitchWatch::getLoads(const Mechanism& mechanism) {
     };
 }
 
-SwitchWatch::Moment SwitchWatch::makeMoment(const State& state) {
+SwitchWatch::Moment SwitchWatch::makeMoment(const State& state) const {
+    m_system.realize(state, SimTK::Stage::Acceleration);
     return {state.getTime(), Vector(state.getQ()), Vector(state.getQDot()), Vector(state.getZ()),
             Vector(state.getZDot())};
 }

@@ -33,7 +33,7 @@ public:
     SwitchWatch(const SimTK::MultibodySystem& system, const Source& source)
         : m_system(system), m_source(source) {}
 
-    /// Where a motion begins. Requires Stage::Acceleration, like check().
+    /// Where a motion begins. Requires Stage::Velocity, like check().
     void start(const SimTK::State& state);
 
     /// The first excursion since start() or the last check(), if there is one.
@@ -52,7 +52,7 @@ private:
         SimTK::Real s, value, rate;
     };
 
-    static Moment makeMoment(const SimTK::State& state);
+    Moment makeMoment(const SimTK::State& state) const;
     Point findBetween(const Moment& end, size_t k, SimTK::Real s);
     std::optional<Point> findBeyond(const Moment& end, size_t k, Point from, Point to);
     SimTK::Real findCrossing(const Moment& end, size_t k, SimTK::Real before, SimTK::Real behind);
