@@ -31,7 +31,7 @@ TEST(DatasetWriter, FullDatasetSurvives) {
     EXPECT_EQ(dataset.flexBodies.size(), 3u);
     EXPECT_EQ(dataset.jprims.size(), 8u);
     EXPECT_EQ(dataset.joints.size(), 14u);
-    EXPECT_EQ(countMembers(dataset), 99u);
+    EXPECT_EQ(countMembers(dataset), 97u);
     EXPECT_EQ(dataset.requests.size(), 6u);
     EXPECT_EQ(reread(writeDataset(dataset)), dataset);
 }

@@ -180,10 +180,10 @@ TEST_P(Control, StepResponsesOfTransferFunctions) {
 TEST_P(Control, AnImplicitEquationIsSolvedForTheDerivative) {
     const Mechanism mechanism = buildOrFail(makeModel(
         u,
-        fmt::format("DIFF/1,IC=0,0.5,IMPLICIT,FUNCTION=2*{0}*DIF1(1)+EXP({0}*DIF1(1)-1)-3+DIF(1)-TIME/{0}\n"
+        fmt::format("DIFF/1,IC=0,{1},IMPLICIT,FUNCTION=2*{0}*DIF1(1)+EXP({0}*DIF1(1)-1)-3+DIF(1)-TIME/{0}\n"
                     "DIFF/2,IC=1,IMPLICIT,FUNCTION={0}*DIF1(2)+DIF(3)*{0}*DIF1(1)\n"
                     "DIFF/3,FUNCTION=-DIF1(2)*0+DIF(2)/{0}\nREQUEST/1,F2=DIF(1)\\F3=DIF(2)\\F4={0}*DIF1(2)",
-                    u.s)));
+                    u.s, 0.5 / u.s)));
     for (const char* integrator : {"RungeKuttaMerson", "CPodes"}) {
         const SimulationOutcome outcome = runBy(integrator, mechanism, 2 * u.s, 1e-9);
         EXPECT_LT(calcDeviationOf(u, outcome, "R1.F2", [](double t) { return t; }), 1e-7) << integrator;
