@@ -46,6 +46,9 @@ bool canReport(const std::string& path) {
             "nodejs, npm)\n");
         return false;
     }
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::error_code problem;  // shows when the file is opened
+    if (!folder.empty()) std::filesystem::create_directories(folder, problem);
     const bool existed = std::filesystem::exists(path);
     const bool good = std::ofstream(path, std::ios::binary | std::ios::app).good();
     if (!good) printError(path, "cannot be written");

@@ -74,6 +74,7 @@ const browser = await puppeteer.launch({
 });
 try {
   const page = await browser.newPage();
+  page.setDefaultNavigationTimeout(240_000);
   page.on('console', (m) => m.type() !== 'error' || failures.push(`console: ${m.text()}`));
   page.on('pageerror', (error) => failures.push(`error: ${error}`));
   page.on('dialog', (dialog) => (failures.push(`dialog: ${dialog.message()}`), dialog.dismiss()));
