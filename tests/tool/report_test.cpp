@@ -64,9 +64,10 @@ TEST_F(ReportTool, AnEarlierRunIsReportedAlike) {
 
 TEST_F(ReportTool, WhatCannotBeReported) {
     const Outcome folder =
-        run("run " + m_model + " --end 1 --report " + (m_folder / "no/such.html").string());
+        run("run " + m_model + " --end 1 --report " + (m_folder / "model.adm/such.html").string());
     EXPECT_EQ(folder.exitCode, 2);
-    EXPECT_NE(folder.err.find("no/such.html: error: cannot be written"), std::string::npos) << folder.err;
+    EXPECT_NE(folder.err.find("model.adm/such.html: error: cannot be written"), std::string::npos)
+        << folder.err;
     EXPECT_EQ(folder.out, "");
     const Outcome nothing = run("report " + m_folder.string() + " -o " + m_report);
     EXPECT_EQ(nothing.exitCode, 1);
