@@ -227,7 +227,7 @@ private:
     }
 
     Real calcCommonUnit() const {
-        constexpr Real Ahead = 6;  // what moves a little more soon is worth no new beginning
+        constexpr Real Ahead = 2;  // what moves a little more soon is worth no new beginning
         return m_isAtRest ? 1 : calcLargestUnit(Ahead);
     }
 
